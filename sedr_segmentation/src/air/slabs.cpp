@@ -22,7 +22,9 @@ using Slab = std::array<double, 2>;
 
 class Slabs {
 public:
-  explicit Slabs(const AirGaps& air)
+  /** @param above_things whether slabs also lie above the air over a table, in which
+   * one cannot stand: what is low and above tall air is the void in a slab */
+  Slabs(const AirGaps& air, bool above_things)
       : air_(air)
       , above_(air.size(), AirGaps::none)
       , slab_(air.size())
@@ -31,15 +33,20 @@ public:
     std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (!air.isTall(air[g]))
-        continue;
-      if (below != AirGaps::none && air[below].column == air[g].column) {
-        above_[below] = g;
-        slab_[below] = {air.columns().heightOf(air[below].high),
-                        air.columns().heightOf(air[g].low)};
-        places_.push_back(below);
+      if (below != AirGaps::none && air[below].column != air[g].column)
+        below = AirGaps::none;
+      if (air.isTall(air[g])) {
+        if (below != AirGaps::none) {
+          above_[below] = g;
+          slab_[below] = {air.columns().heightOf(air[below].high),
+                          air.columns().heightOf(air[g].low)};
+          places_.push_back(below);
+        }
+        below = g;
       }
-      below = g;
+      else if (above_things && 2 * air.height(g) >= air.parameters().headroom &&
+               (below == AirGaps::none || !air.isTall(air[below])))
+        below = g;
     }
   }
 
@@ -48,9 +55,9 @@ public:
   {
     const double cell = air_.columns().cellSize();
     findThrough();
-    forEachRegion(true, [&](const auto& region, const auto& /*rim*/) {
-      if (static_cast<double>(region.size()) * cell * cell <=
-          air_.parameters().largest_hole)
+    forEachRegion(true, [&](const auto& region, const auto& rim) {
+      if (!rim.empty() && static_cast<double>(region.size()) * cell * cell <=
+                              air_.parameters().largest_hole)
         for (const std::uint32_t g : region)
           moveApart(g, slab_[g], {true, true});
     });
@@ -66,8 +73,13 @@ public:
                                            air_.columns().cellSize())));
     for (const std::uint32_t g : places_)
       slab_[g][0] = ceiling[g];
-    forEachRegion(
-        false, [&](const auto& region, const auto& rim) { completeFace(region, rim); });
+    std::vector<Slab> whole; // of both faces
+    for (const std::uint32_t g : places_)
+      if (hasBothFaces(g))
+        whole.push_back(slab_[g]);
+    forEachRegion(false, [&](const auto& region, const auto& rim) {
+      completeFace(region, rim.empty() ? whole : rim, whole);
+    });
     return std::move(gaps_);
   }
 
@@ -113,19 +125,15 @@ private:
   }
 
   /** @brief Visits each region of which nothing of a slab was seen (`is_through`), or
-   * one face, with the slabs that have both faces along its rim. A region too deep
-   * behind these is no slab of which a face is hidden, but has none. */
+   * one face, with the slabs that have both faces along its rim. */
   template <typename Visitor>
   void forEachRegion(bool is_through, Visitor visit)
   {
-    constexpr double deepest = 2; // metres: area over length of rim
     for (const std::uint32_t g : places_)
       if (!hasBothFaces(g) && isThrough(g) == is_through && is_met_[g] == 0) {
         std::vector<Slab> rim;
         const std::vector<std::uint32_t> region = regionFrom(g, rim);
-        if (static_cast<double>(region.size()) * air_.columns().cellSize() <
-            deepest * static_cast<double>(rim.size()))
-          visit(region, rim);
+        visit(region, rim);
       }
   }
 
@@ -141,7 +149,9 @@ private:
         if (hasBothFaces(o))
           rim.push_back(slab_[o]);
         else if (isThrough(o) == isThrough(start) && is_met_[o] == 0 &&
-                 (!isThrough(o) || reachesThrough(o, slab_[region[k]]))) {
+                 (isThrough(o) ? reachesThrough(o, slab_[region[k]])
+                               : std::abs(slab_[o][0] - slab_[region[k]][0]) <=
+                                     air_.parameters().same_ceiling)) {
           is_met_[o] = 1;
           region.push_back(o);
         }
@@ -149,31 +159,38 @@ private:
     return region;
   }
 
+  /** @param around slabs of which one face is that which was seen of the region
+   * @param whole those that tell how thick such slabs are */
   void completeFace(const std::vector<std::uint32_t>& region,
-                    const std::vector<Slab>& rim)
+                    const std::vector<Slab>& around,
+                    const std::vector<Slab>& whole)
   {
-    constexpr double share_of_floor = 0.2; // of a rim; the rest may be furniture
     std::array<HeightCounts, 2> heights;
     for (const std::uint32_t g : region)
       for (std::size_t side = 0; side < 2; ++side)
         heights[side].add(slab_[g][side]);
     const Slab seen{heights[0].highestCount(), heights[1].highestCount()};
-    std::array<std::size_t, 2> goes_on{0, 0};
-    std::array<HeightCounts, 2> others;
-    for (const Slab& slab : rim)
-      for (std::size_t side = 0; side < 2; ++side)
-        if (std::abs(slab[side] - seen[side]) < air_.parameters().thinnest_slab / 2) {
-          ++goes_on[side];
-          others[side].add(slab[1 - side]);
-        }
-    if (goes_on[0] + goes_on[1] == 0)
+    const auto goesOn = [&](const Slab& slab, std::size_t side) {
+      return std::abs(slab[side] - seen[side]) < air_.parameters().thinnest_slab / 2;
+    };
+    std::array<std::ptrdiff_t, 2> goes_on{};
+    for (std::size_t side = 0; side < 2; ++side)
+      goes_on[side] =
+          std::count_if(around.begin(), around.end(),
+                        [&](const Slab& slab) { return goesOn(slab, side); });
+    constexpr double deepest = 2; // metres behind these slabs: area over length of rim
+    if (static_cast<double>(region.size()) * air_.columns().cellSize() >=
+        deepest * static_cast<double>(goes_on[0] + goes_on[1]))
       return;
     const bool is_ceiling = goes_on[0] >= goes_on[1];
-    const double other =
-        is_ceiling ? others[0].lowestOf(share_of_floor) : others[1].highestCount();
+    const std::size_t side = is_ceiling ? 0 : 1;
+    HeightCounts others;
+    for (const Slab& slab : whole)
+      if (goesOn(slab, side))
+        others.add(slab[1 - side]);
+    const double other = others.highestCount();
     for (const std::uint32_t g : region)
-      if (std::abs(slab_[g][0] - seen[0]) <=
-          air_.parameters().same_surface) // else a tread of stairs
+      if (goesOn(slab_[g], 1)) // else a tread of stairs
         moveApart(g, {other, other}, {!is_ceiling, is_ceiling});
   }
 
@@ -183,14 +200,14 @@ private:
   {
     AirGap lower = gaps_[g];
     AirGap upper = gaps_[above_[g]];
-    if (is_unseen[0])
-      lower.high = std::min(lower.high, air_.voxels(slab[0]));
-    if (is_unseen[1])
-      upper.low = std::max(upper.low, air_.voxels(slab[1]));
-    if (!air_.isTall(lower) || !air_.isTall(upper))
-      return;
     lower.ceiling_seen = lower.ceiling_seen && !is_unseen[0];
     upper.floor_seen = upper.floor_seen && !is_unseen[1];
+    if (const auto at = air_.voxels(slab[0]);
+        is_unseen[0] && air_.hasHeadroom(lower.low, at))
+      lower.high = std::min(lower.high, at);
+    if (const auto at = air_.voxels(slab[1]);
+        is_unseen[1] && air_.hasHeadroom(at, upper.high))
+      upper.low = std::max(upper.low, at);
     gaps_[g] = lower;
     if (isThrough(g))
       gaps_.push_back(upper);
@@ -212,13 +229,13 @@ private:
 std::vector<AirGap>
 withHolesClosed(const AirGaps& air)
 {
-  return Slabs(air).withHolesClosed();
+  return Slabs(air, false).withHolesClosed();
 }
 
 std::vector<AirGap>
 withBothFaces(const AirGaps& air)
 {
-  return Slabs(air).withBothFaces();
+  return Slabs(air, true).withBothFaces();
 }
 
 } // namespace pcl::sedr

@@ -90,6 +90,23 @@ holesIn(const AirGaps& air, const std::vector<std::uint32_t>& gaps)
   return maskProblem(box).empty() ? enclosedCells(CellMask(cells, box)) : CellMask();
 }
 
+/** @brief The heights of a surface of a room where it was seen; where it was nowhere,
+ * those that were inferred. */
+HeightCounts
+heightsOf(const BuildingRoom& room,
+          float RoomColumn::*height,
+          bool RoomColumn::*is_seen)
+{
+  HeightCounts seen;
+  HeightCounts all;
+  for (const RoomColumn& column : room.columns) {
+    all.add(column.*height);
+    if (column.*is_seen)
+      seen.add(column.*height);
+  }
+  return seen.empty() ? all : seen;
+}
+
 } // namespace
 
 std::vector<BuildingRoom>
@@ -107,8 +124,6 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
       parted.rooms, 1, air.parameters().threads, [&](std::size_t r, std::size_t) {
         BuildingRoom& room = rooms[r];
         room.id = static_cast<std::uint32_t>(r + 1);
-        HeightCounts lows;
-        HeightCounts highs;
         const CellMask holes = holesIn(air, gaps[r]);
         std::size_t walled = 0;
         std::size_t ends = 0;
@@ -120,8 +135,6 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
           room.columns.push_back({columns.cellOf(gap.column), static_cast<float>(low),
                                   static_cast<float>(high), gap.floor_seen,
                                   gap.ceiling_seen, levels.isLevel(g)});
-          lows.add(low);
-          highs.add(high);
           unseen += !gap.floor_seen && !gap.ceiling_seen ? 1 : 0;
           const Cell cell = columns.cellOf(gap.column);
           for (int d = 0; d < 4; ++d)
@@ -137,8 +150,10 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
                   [](const RoomColumn& a, const RoomColumn& b) {
                     return keyOf(a.cell) < keyOf(b.cell);
                   });
-        room.floor = lows.lowestOf(HeightCounts::share_of_floor);
-        room.ceiling = highs.highestCount();
+        room.floor = heightsOf(room, &RoomColumn::floor, &RoomColumn::floor_seen)
+                         .lowestOf(HeightCounts::share_of_floor);
+        room.ceiling = heightsOf(room, &RoomColumn::ceiling, &RoomColumn::ceiling_seen)
+                           .highestCount();
         room.area = static_cast<double>(gaps[r].size()) * columns.cellSize() *
                     columns.cellSize();
         room.enclosure =

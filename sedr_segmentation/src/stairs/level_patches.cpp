@@ -30,9 +30,10 @@ public:
               const VoxelColumns& fine,
               const RoomFloors& floors)
       : fine_(fine)
+      , floors_(floors)
       , first_(fine.size() + 1, 0)
   {
-    findLevels(floors);
+    findLevels();
     measureHeights(points, indices);
   }
 
@@ -69,7 +70,7 @@ public:
   }
 
 private:
-  void findLevels(const RoomFloors& floors)
+  void findLevels()
   {
     const auto clear = static_cast<std::int32_t>(
         std::lround(stair_priors.clearance / fine_.voxelHeight()));
@@ -83,7 +84,7 @@ private:
         if (has_top && begin - top >= clear) {
           const Cell cell = fine_.cellOf(c);
           const double z = fine_.heightOf(top) - fine_.voxelHeight() / 2;
-          if (!floors.isFloor(fine_.grid().centre(cell), z))
+          if (!floors_.isFloor(fine_.grid().centre(cell), z))
             levels_.push_back({cell, top - 1, is_riser});
         }
         has_top = true;
@@ -153,20 +154,23 @@ private:
         ++patch.edge_cells;
       }
     }
+    patch.scatter = n * cell * cell / 12 * Eigen::Matrix2d::Identity(); // of a cell
     for (const std::uint32_t k : members) {
       const Eigen::Vector2d d = fine_.grid().centre(levels_[k].cell) - patch.middle;
       patch.scatter += d * d.transpose();
       squares += std::pow(levels_[k].z - patch.z, 2) / n;
     }
-    if (squares > stair_priors.flatness * stair_priors.flatness)
-      return; // a ramp, cushions
+    if (squares > stair_priors.flatness * stair_priors.flatness ||
+        floors_.near(patch.middle, patch.z).room != 0)
+      return; // a ramp, cushions; a part of a floor
     patch.edge /= std::max(1.0, static_cast<double>(patch.edge_cells));
-    const double depth = std::sqrt(12 / n * symmetricEigen(patch.scatter).values[0]);
-    patch.is_tread = depth <= stair_priors.deepest;
+    patch.is_tread = patch.depth(symmetricEigen(patch.scatter).vectors.col(0)) <=
+                     stair_priors.deepest;
     patches.push_back(std::move(patch));
   }
 
   const VoxelColumns& fine_;
+  const RoomFloors& floors_;
   std::vector<std::uint32_t> first_; ///< of the levels of a column
   std::vector<Level> levels_;
 };

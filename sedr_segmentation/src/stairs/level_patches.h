@@ -27,14 +27,19 @@ struct LevelPatch {
   bool is_tread = false;
   Eigen::AlignedBox2d box{};
 
+  /** @brief How deep it is along a direction, if it is a rectangle. */
+  double depth(const Eigen::Vector2d& way) const
+  {
+    return std::sqrt(12 * way.dot(scatter * way) / static_cast<double>(cells.size()));
+  }
+
   /** @brief How far along a direction its front lies: where its riser was seen, else
    * that of a rectangle or a wedge. */
   double front(const Eigen::Vector2d& way) const
   {
     if (edge_cells >= 8 && way.dot(edge - middle) < 0.03)
       return way.dot(edge);
-    return way.dot(middle) -
-           std::sqrt(3 * way.dot(scatter * way) / static_cast<double>(cells.size()));
+    return way.dot(middle) - depth(way) / 2;
   }
 };
 

@@ -6,13 +6,13 @@
 
 namespace pcl::sedr {
 
-RoomFloors::RoomFloors(const Building& building)
+RoomFloors::RoomFloors(const Building& building, double voxel)
     : grid_(building.grid)
 {
   for (const BuildingRoom& room : building.rooms)
     for (const RoomColumn& c : room.columns)
       if (std::abs(c.floor - room.floor) < stair_priors.same_floor)
-        at_[keyOf(c.cell)].push_back({room.id, c.floor});
+        at_[keyOf(c.cell)].push_back({room.id, c.floor - voxel / 2});
 }
 
 bool

@@ -22,7 +22,9 @@ public:
     double z = 0;
   };
 
-  explicit RoomFloors(const Building& building);
+  /** @param voxel height of the voxels, metres: floors are within those below the air
+   */
+  RoomFloors(const Building& building, double voxel);
 
   bool isFloor(const Eigen::Vector2d& place, double z) const;
 

@@ -19,6 +19,14 @@ isUnderside(const LevelPatch& patch, const LevelPatch& tread)
          (patch.middle - tread.middle).norm() < stair_priors.near;
 }
 
+/** @brief The direction in which treads are shallow, forwards. */
+Eigen::Vector2d
+shallowWay(const Eigen::Matrix2d& scatter, const Eigen::Vector2d& forwards)
+{
+  const Eigen::Vector2d way = symmetricEigen(scatter).vectors.col(0);
+  return way.dot(forwards) < 0 ? -way : way;
+}
+
 /** @brief Nats that a change of rise, going and direction costs. */
 double
 change(const StairStep& a, const StairStep& b)
@@ -50,7 +58,7 @@ StairChains::StairChains(const std::vector<LevelPatch>& patches,
              (stair_priors.max_missing + 1) * stair_priors.max_rise;
          ++b)
       for (int steps = 1; steps <= stair_priors.max_missing + 1; ++steps)
-        addStep(a, b, steps);
+        addSteps(a, b, steps);
   // Patches are by height: of the steps up to a place all before it are known.
   std::stable_sort(steps_.begin(), steps_.end(),
                    [](const StairStep& a, const StairStep& b) { return a.to < b.to; });
@@ -94,7 +102,7 @@ StairChains::next()
 }
 
 void
-StairChains::addStep(std::size_t a, std::size_t b, int steps)
+StairChains::addSteps(std::size_t a, std::size_t b, int steps)
 {
   const LevelPatch& from = patches_[a];
   const LevelPatch& to = patches_[b];
@@ -104,29 +112,38 @@ StairChains::addStep(std::size_t a, std::size_t b, int steps)
       from.box.exteriorDistance(to.box) > reach ||
       (steps > 1 && !(from.is_tread && to.is_tread)))
     return;
-  step.is_on_treads = from.is_tread && to.is_tread;
-  step.way = step.is_on_treads && steps == 1
-                 ? acrossTreads(from.scatter + to.scatter, to.middle - from.middle)
-                 : (to.middle - from.middle).normalized();
-  step.going = (to.front(step.way) - from.front(step.way)) / steps;
-  if (step.is_on_treads &&
-      (step.going < stair_priors.min_going || step.going > stair_priors.max_going))
-    return;
   for (int k = 1; k < steps; ++k) // a floor ends a stair
     if (floors_
             .near(from.middle + k * (to.middle - from.middle) / steps,
-                  from.z + k * step.rise)
+                  from.z + k * step.rise, step.rise / 2)
             .room != 0)
       return;
-  for (const Eigen::Vector2d& p : from.cells) {
-    if (to.box.exteriorDistance(p) > reach)
-      continue;
-    for (const Eigen::Vector2d& q : to.cells)
-      if ((p - q).squaredNorm() <= reach * reach) {
-        steps_.push_back(step);
-        return;
-      }
+  const auto isNear = [&](const Eigen::Vector2d& p) {
+    return to.box.exteriorDistance(p) <= reach &&
+           std::any_of(to.cells.begin(), to.cells.end(), [&](const Eigen::Vector2d& q) {
+             return (p - q).squaredNorm() <= reach * reach;
+           });
+  };
+  if (std::none_of(from.cells.begin(), from.cells.end(), isNear))
+    return;
+  step.is_on_treads = from.is_tread && to.is_tread;
+  step.way = (to.middle - from.middle).normalized();
+  add(step);
+  if (step.is_on_treads && steps == 1) {
+    step.way = shallowWay(from.scatter + to.scatter, step.way);
+    add(step);
   }
+}
+
+void
+StairChains::add(StairStep step)
+{
+  step.going =
+      (patches_[step.to].front(step.way) - patches_[step.from].front(step.way)) /
+      step.steps;
+  if (!step.is_on_treads ||
+      (step.going >= stair_priors.min_going && step.going <= stair_priors.max_going))
+    steps_.push_back(step);
 }
 
 double
@@ -141,13 +158,6 @@ StairChains::floorGain(const StairStep& step, bool is_foot) const
                 .room != 0)
       return stair_priors.floor_gain;
   return 0;
-}
-
-Eigen::Vector2d
-acrossTreads(const Eigen::Matrix2d& scatter, const Eigen::Vector2d& forwards)
-{
-  const Eigen::Vector2d way = symmetricEigen(scatter).vectors.col(0);
-  return way.dot(forwards) < 0 ? -way : way;
 }
 
 } // namespace pcl::sedr

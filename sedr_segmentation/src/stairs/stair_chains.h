@@ -37,7 +37,11 @@ public:
   std::vector<StairStep> next();
 
 private:
-  void addStep(std::size_t a, std::size_t b, int steps);
+  /** @brief Adds the steps between two patches: in the direction from one to the other,
+   * and in that in which both are shallow: of treads that were seen in part either may
+   * be wrong. */
+  void addSteps(std::size_t a, std::size_t b, int steps);
+  void add(StairStep step);
   double floorGain(const StairStep& step, bool is_foot) const;
 
   const std::vector<LevelPatch>& patches_;
@@ -46,9 +50,5 @@ private:
   std::vector<std::uint8_t> is_used_;
   std::vector<StairStep> steps_; ///< by where they lead to
 };
-
-/** @brief Returns the direction in which treads are shallow. */
-Eigen::Vector2d acrossTreads(const Eigen::Matrix2d& scatter,
-                             const Eigen::Vector2d& forwards);
 
 } // namespace pcl::sedr

@@ -78,19 +78,24 @@ PlanFlight
 flightOf(std::vector<Tread> treads, double cell)
 {
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  std::vector<double> heights;
+  std::array<std::vector<double>, 3> middles;
   for (const Tread& tread : treads) {
     scatter += tread.patch->scatter;
-    heights.push_back(tread.patch->z);
+    middles[0].push_back(tread.patch->middle.x());
+    middles[1].push_back(tread.patch->middle.y());
+    middles[2].push_back(tread.patch->z);
   }
-  const Eigen::Vector2d mean =
-      acrossTreads(scatter, treads.back().patch->middle - treads.front().patch->middle);
+  const Eigen::Vector2d step(lineThrough(treads, middles[0])[1],
+                             lineThrough(treads, middles[1])[1]);
+  // The direction that parts treads best, Fisher's discriminant: those seen in part
+  // need not lie behind each other.
+  const Eigen::Vector2d mean = (scatter.inverse() * step).normalized();
   const auto angleTo = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
   };
   const bool is_straight =
       std::all_of(treads.begin(), treads.end(), [&](const Tread& tread) {
-        return std::abs(angleTo(mean, tread.way)) < stair_priors.straight;
+        return tread.patch->depth(mean) < mean.dot(step) + stair_priors.turned;
       });
   // Treads that turn do so from riser to riser; the first one has no riser before it.
   double turn = 0;
@@ -118,7 +123,7 @@ flightOf(std::vector<Tread> treads, double cell)
     right.push_back(cell / 2 - least);
   }
   PlanFlight flight;
-  const auto [z, rise] = lineThrough(treads, heights);
+  const auto [z, rise] = lineThrough(treads, middles[2]);
   flight.bottom = z - rise;
   flight.rise = rise;
   const auto [first, going] = lineThrough(treads, fronts);

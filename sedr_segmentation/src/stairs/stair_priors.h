@@ -27,7 +27,8 @@ struct StairPriors {
   double same_floor = 0.08; ///< metres between heights of one floor
   double near = 0.6;        ///< metres from the end of a flight to its floor, and from
                             ///< treads to their underside
-  double straight = 0.25;   ///< radians that treads of a straight flight are off
+  double turned = 0.08;     ///< metres by which a tread that turns is deeper than the
+                            ///< going, along the mean direction of its flight
   int max_unseen = 20;      ///< treads from the last one that was seen to a floor
 };
 

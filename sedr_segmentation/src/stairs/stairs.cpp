@@ -61,7 +61,7 @@ addFlights(const PointView& points,
   constexpr double widest_cell = 0.1; // metres
   if (fine.cellSize() > widest_cell)
     return;
-  const RoomFloors floors(building);
+  const RoomFloors floors(building, fine.voxelHeight());
   const std::vector<LevelPatch> patches = levelPatches(points, indices, fine, floors);
   StairChains chains(patches, floors, fine.cellSize());
   for (std::vector<StairStep> chain = chains.next(); !chain.empty();

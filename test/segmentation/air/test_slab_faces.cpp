@@ -81,6 +81,25 @@ TEST(SlabFaces, FloorsThatWereHiddenAtTheSamePlaceOfTwoStoreysAreBothFound)
   EXPECT_FALSE(third.floor_seen);
 }
 
+TEST(SlabFaces, AFloorIsFoundAboveATable)
+{
+  AirScene scene = storeysWithSlab(always, isAside);
+  scene.slab(2.55, 1.55, 3.55, 2.55, 0.76); // no headroom above it
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
+}
+
+TEST(SlabFaces, AFloorThatWasNotSeenAtAllLiesAsHighAsThoseOfOtherRooms)
+{
+  AirScene scene = storeysWithSlab(always, always);
+  scene.room(8.05, 0.05, 12.05, 4.05, 0.01, 5.31);
+  scene.slab(8.05, 0.05, 12.05, 4.05, 2.51);
+  const SceneAir air(scene);
+  const AirGap& upper = air.gaps[air.at(10, 2, 4)];
+  EXPECT_EQ(upper.low, 57);
+  EXPECT_FALSE(upper.floor_seen);
+}
+
 TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 {
   AirScene scene = storeysWithSlab(always, isAside);

@@ -64,10 +64,10 @@ public:
     BuildingRoom room;
     room.id = static_cast<std::uint32_t>(building.rooms.size() + 1);
     room.floor = z;
+    const auto above = static_cast<float>(0.05 * std::ceil(z / 0.05)); // of its voxel
     for (double x = x0 + 0.05; x < x1; x += 0.1)
       for (double y = y0 + 0.05; y < y1; y += 0.1)
-        room.columns.push_back(
-            {building.grid.at(x, y), static_cast<float>(z), 6, true, true, true});
+        room.columns.push_back({building.grid.at(x, y), above, 6, true, true, true});
     building.rooms.push_back(room);
   }
 
@@ -135,6 +135,29 @@ TEST(StairChains, AStraightFlightHasItsRisersWhateverItsDirection)
     EXPECT_NEAR(flight.bottom, 0.01, 0.02);
     EXPECT_NEAR(flight.top(), 2.81, 0.02);
     expectRisers(flight, risers, 0.06);
+  }
+}
+
+TEST(StairChains, TreadsSeenInPartAreOfOneFlight)
+{
+  for (const double degrees : {0.0, 30.0, 200.0}) {
+    SCOPED_TRACE(degrees);
+    StairScene scene;
+    scene.floor(-6, -6, 8, 8, 0.01);
+    Risers seen = straightRisers(16, 0.27, 1);
+    for (std::size_t k = 0; k < 13; ++k) // of most of them one end
+      seen[k][k < 8 ? 1 : 0].y() = k < 8 ? 0.28 : -0.28;
+    scene.flight(moved(seen, degrees, {1, 1}), 0.01, 0.175);
+    const std::vector<PlanStair> stairs = scene.stairs();
+    ASSERT_EQ(stairs.size(), 1u);
+    ASSERT_EQ(stairs[0].flights.size(), 1u);
+    const PlanFlight& flight = stairs[0].flights[0];
+    const Risers truth = moved(straightRisers(16, 0.27, 1), degrees, {1, 1});
+    EXPECT_NEAR(flight.going(), 0.27, 0.01);
+    ASSERT_GE(flight.steps(), 15u);
+    const Eigen::Vector2d across = (truth[0][0] - truth[0][1]).normalized();
+    for (const PlanFlight::Riser& riser : flight.risers)
+      EXPECT_GT((riser[0] - riser[1]).normalized().dot(across), std::cos(0.07));
   }
 }
 
