@@ -49,7 +49,8 @@ def summary(rows):
              f"storeys right in {sum(r['storeys'] == r['storeys_found'] for r in rows)}",
              "rooms: " + f"{total('rooms')} true, {total('rooms_found')} found, matched " +
              ", ".join(f"{total(f'matched_{s}')} at {s}" for s in grades.STEPS) +
-             "; " + ", ".join(f"{total(k)} {k}" for k in ("missed", "merged", "split", "shape", "extra")),
+             "; " + ", ".join(f"{total(k)} {k}" for k in ("missed", "merged", "split", "shape", "extra")) +
+             f"; floors of {total('floors_off')} more than 5 cm off",
              f"flights of stairs: {total('stairs')} true, {total('stairs_found')} found, {total('stairs_exact')} with all steps, "
              f"{total('stairs_invented')} invented",
              *opening_grades.summary(rows),

@@ -117,6 +117,12 @@ class Grades(unittest.TestCase):
         self.assertEqual(figures["all_right"], 1, figures)
         self.assertEqual(figures["matched_0.9"], figures["rooms"])
         self.assertGreater(figures["rooms"], 4)
+        self.assertEqual(figures["floors_off"], 0)
+
+    def test_tell_floors_at_a_wrong_height(self):
+        plan = plan_of(self.truth)
+        plan["rooms"][0]["floor"]["plane"][3] += 0.3
+        self.assertEqual(self.grade(plan)["floors_off"], 1)
 
     def test_tell_missed_and_extra_rooms_and_storeys(self):
         plan = plan_of(self.truth)

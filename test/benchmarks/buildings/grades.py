@@ -12,6 +12,7 @@ from shapely.ops import unary_union
 CHORD = 0.05        # metres along an arc
 CELL = 0.25         # metres, of the plan cells that count as seen or not
 LEAST_SEEN = (0.5, 0.8)  # shares of the cells of its floor and of its ceiling that must be seen for a room to count
+FLOOR_OFF = 0.05    # metres from which a floor is at a wrong height
 SMALLEST = 1.5      # square metres of a room that counts, true or found
 RIGHT = 0.7         # intersection over union of a room that is right
 STEPS = (0.5, 0.7, 0.9)
@@ -262,6 +263,7 @@ def grade(folder, output, every_room=False):
     figures["extra"] = len(extra)
     figures["area_error_median"] = round(float(np.median(errors)), 4) if errors else ""
     figures["area_error_max"] = round(max(errors), 4) if errors else ""
+    figures["floors_off"] = sum(table[i, k] >= 0.5 and abs(found[k].low - wanted[i].low) > FLOOR_OFF for i, k in pairs)
     figures["storeys"] = len({p.storey for p in wanted})
     figures["storeys_found"] = len(plan.get("storeys", [None] if found else []))
     if os.path.exists(os.path.join(folder, "scene.json")):
