@@ -13,9 +13,10 @@ namespace pcl::sedr {
  * connected without steps of 0.2 m; those that stand out into the air from what is
  * beside them, up to the area of furniture, are things. */
 struct EndSurface {
-  double levels = 0; ///< entropy of its heights in steps of 0.1 m, nats: the mean of
-                     ///< those of the first gaps of all columns, of the second ones, ...
-  double large = 0;  ///< share of pieces of 2 square metres and more
+  double levels =
+      0;            ///< entropy of its heights in steps of 0.1 m, nats: the mean of
+                    ///< those of the first gaps of all columns, of the second ones, ...
+  double large = 0; ///< share of pieces of 2 square metres and more
   double things = 0; ///< share of things
   double relief = 0; ///< share of steps of 3 cm in 10 cm within large pieces
   double pieces = 1; ///< number of large ones that do not stand out: exp(entropy)
@@ -30,7 +31,8 @@ struct AirAlongAxis {
   EndSurface high;
 };
 
-/** @brief Measures the air along the third row of `axes`, a rotation. O(n log n). */
+/** @brief Measures the air along the third row of `axes`, a rotation times the unit of
+ * the points in metres. O(n log n). */
 AirAlongAxis airAlong(const PointView& points,
                       const std::vector<int>& indices,
                       const Eigen::Matrix3d& axes);

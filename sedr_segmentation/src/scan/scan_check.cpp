@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_check.h"
 
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
-#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 namespace pcl::sedr {
 
@@ -155,113 +152,6 @@ scanProblem(const PointView& points,
   for (const int i : indices)
     sample.add(points[static_cast<std::size_t>(i)]);
   return sample.problem(priors);
-}
-
-namespace {
-
-constexpr double foot = 0.3048; ///< metres
-
-/** @brief What a height of doors or scanners tells of the unit. */
-enum class Unit { Unknown, Metre, Foot };
-
-/** @brief Returns what the median of heights that are at most those of doors tells.
- * @param min_height of such things, metres */
-Unit
-unitOf(const std::vector<double>& heights, double min_height, const Priors& priors)
-{
-  if (heights.empty())
-    return Unit::Unknown;
-  const double height = middleValue(heights);
-  const double in_feet = height * foot;
-  if (height <= priors.max_door_height || in_feet < min_height)
-    return Unit::Metre;
-  return in_feet <= priors.max_door_height ? Unit::Foot : Unit::Unknown;
-}
-
-std::vector<double>
-heightsOfDoors(const Floorplan& plan)
-{
-  std::vector<double> heights;
-  for (const PlanDoorway& doorway : plan.doorways)
-    heights.push_back(doorway.top - doorway.bottom);
-  return heights;
-}
-
-/** @brief Returns how far above the floors of rooms the scanner stood. */
-std::vector<double>
-heightsOfScanners(const Floorplan& plan, const std::vector<Eigen::Vector3f>& places)
-{
-  std::vector<double> heights;
-  for (const Eigen::Vector3f& place : places) {
-    const Eigen::Vector3d p = place.cast<double>();
-    for (const PlanRoom& room : plan.rooms)
-      if (p.z() > room.floor.heightAt(p.head<2>()) &&
-          p.z() < room.ceiling.heightAt(p.head<2>()) && room.contains(p.head<2>()))
-        heights.push_back(p.z() - room.floor.heightAt(p.head<2>()));
-  }
-  return heights;
-}
-
-} // namespace
-
-std::string
-footProblem(const Floorplan& plan,
-            const std::vector<Eigen::Vector3f>& places,
-            const Priors& priors)
-{
-  constexpr double sliver = 0.1; // of the largest room; smaller rooms are ignored
-  double whole_area = 0;
-  double high_area = 0;
-  double largest_area = 0;
-  for (const PlanRoom& room : plan.rooms)
-    largest_area = std::max(largest_area, room.area());
-  std::size_t rooms = 0;
-  std::vector<double> heights; // of rooms that are high enough in feet
-  std::vector<double> areas;   // of those as high as in homes
-  for (const PlanRoom& room : plan.rooms) {
-    if (room.boundary.elements.empty() || room.area() < sliver * largest_area)
-      continue;
-    ++rooms;
-    const double height = clearHeight(room).usual;
-    whole_area += room.area();
-    if (height * foot < priors.min_home_height)
-      continue;
-    heights.push_back(height);
-    high_area += room.area();
-    if (height * foot <= priors.max_home_height)
-      areas.push_back(room.area());
-  }
-  const double most = priors.share_most * whole_area;
-  if (heights.empty() || high_area < most)
-    return {};
-  const std::vector<double> doors = heightsOfDoors(plan);
-  const std::vector<double> stood = heightsOfScanners(plan, places);
-  const Unit by_doors = unitOf(doors, priors.min_headroom, priors);
-  const Unit by_scanners = unitOf(stood, 0, priors);
-  if (by_doors == Unit::Metre || by_scanners == Unit::Metre)
-    return {};
-  const Unit unit = by_doors == Unit::Unknown ? by_scanners : by_doors;
-  const bool is_home =
-      std::accumulate(areas.begin(), areas.end(), 0.0) >= most &&
-      (unit == Unit::Foot || middleValue(areas) * foot * foot <= priors.max_home_area);
-  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  std::string sentence =
-      heights.size() == 1 ? text("the room is %.1f m high", *low)
-                          : (heights.size() == rooms ? "all " : "") +
-                                text("%.0f rooms are %.1f to %.1f m high",
-                                     static_cast<double>(heights.size()), *low, *high);
-  if (by_doors == Unit::Foot)
-    sentence += text(", doors are %.1f m high", middleValue(doors));
-  if (!stood.empty())
-    sentence +=
-        text(" and the scanner stood %.1f m above the floor", middleValue(stood));
-  if (is_home)
-    sentence += ", as rooms of homes and offices are in feet";
-  else if (unit == Unit::Unknown)
-    sentence += ", and nothing that was found tells the unit";
-  return sentence +
-         ": if the foot is the unit of the scan, scale it by 0.3048 "
-         "(--unit 0.3048 in pcl_sedr), else --unit 1 says that it is the metre";
 }
 
 } // namespace pcl::sedr

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
 
@@ -75,18 +74,6 @@ private:
  * too large for the unit to be the metre. Uses at most 100,000 of the points. */
 std::string scanProblem(const PointView& points,
                         const std::vector<int>& indices,
-                        const Priors& priors = {});
-
-/** @brief Returns a sentence if the unit of a plan may be the foot, else an empty one.
- * Rooms with four fifths of the area must be 7 and more high. Doors and scanners,
- * which were carried through doors, tell the unit: doors of 5.9 to 8.5 and scanners
- * above 2.6 and up to 8.5 the foot, others up to 5.9 the metre. Where neither is known,
- * rooms up to 12 high, half of them with an area below 540, are those of homes in feet;
- * of higher and larger ones the sentence says that nothing tells the unit.
- * O(rooms times places).
- * @param places where the scanner stood, in the frame of the plan; may be empty */
-std::string footProblem(const Floorplan& plan,
-                        const std::vector<Eigen::Vector3f>& places = {},
                         const Priors& priors = {});
 
 } // namespace pcl::sedr

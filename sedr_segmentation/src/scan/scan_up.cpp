@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_up.h"
 #include "air_ends.h"
+#include "unit_check.h"
 
 #include "sedr_filters/src/base/parallel_for.h"
 
@@ -40,6 +41,18 @@ likelihoodOfAxis(const AirAlongAxis& air)
   return logOdds(air.low.large) + logOdds(air.high.large) - air.low.levels -
          air.high.levels -
          std::min(most, std::abs(std::log(air.height / usual_height)) / scale);
+}
+
+/** @brief Returns whether the air of a scan taken for one in feet is the likelier one,
+ * as high as rooms, and not only what is left of it. */
+bool
+isInFeet(const AirAlongAxis& in_feet,
+         const AirAlongAxis& in_metres,
+         const Priors& priors)
+{
+  return in_feet.height > priors.min_home_height &&
+         in_feet.area > priors.share_most * foot * foot * in_metres.area &&
+         likelihoodOfAxis(in_feet) > likelihoodOfAxis(in_metres);
 }
 
 /** @brief Returns the log-likelihood of the high end of the air as ceiling and the low
@@ -103,6 +116,15 @@ public:
             turn.row(static_cast<Eigen::Index>((axis + 1 + k) % 3));
       air_[axis] = airAlong(points, indices, axes);
     });
+  }
+
+  /** @brief Returns the air along the likeliest axis. */
+  const AirAlongAxis& likeliest() const
+  {
+    return *std::max_element(air_.begin(), air_.end(),
+                             [](const auto& a, const auto& b) {
+                               return likelihoodOfAxis(a) < likelihoodOfAxis(b);
+                             });
   }
 
   /** @brief Returns which end of an axis is more likely up: 1 or -1. */
@@ -182,7 +204,11 @@ doubtOfUp(const PointView& points,
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const AirAlongAxes air(points, indices, turn, threads);
+  AirAlongAxes air(points, indices, turn, threads);
+  const AirAlongAxes in_feet(points, indices, foot * turn, threads);
+  doubt.is_in_feet = isInFeet(in_feet.likeliest(), air.likeliest(), priors);
+  if (doubt.is_in_feet)
+    air = in_feet;
   const auto upOf = [&](std::size_t axis, int sign) -> Eigen::Vector3d {
     return sign * turn.row(static_cast<Eigen::Index>(axis));
   };

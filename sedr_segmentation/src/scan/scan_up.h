@@ -23,6 +23,7 @@ struct UpDoubt {
   double nats = 0;    ///< log-likelihood of that axis, or end of z, less that of z
   std::string reason; ///< a sentence with the rotation that mends it; empty if none
   ScanTilt tilt;      ///< of the scan; certain above `max_tilt`
+  bool is_in_feet = false; ///< as the air along the axes is likelier
 
   bool isDoubtful() const { return nats > doubtful; }
   bool isCertain() const { return nats > certain; }
@@ -37,8 +38,9 @@ struct UpDoubt {
  * the share of pieces of at least 2 square metres), and about 2.8 m apart. Of the two,
  * floors have things on them: small pieces that stand out into the air. Floors go on
  * through doors, while walls and lintels part ceilings. Smooth relief that things do
- * not explain, such as slopes, vaults and ribs, is that of a ceiling. An inclined scan
- * is certain, see tiltOf(). For thinned points; O(n log n).
+ * not explain, such as slopes, vaults and ribs, is that of a ceiling. Lengths are taken
+ * for feet where that is more likely. An inclined scan is certain, see tiltOf(). For
+ * thinned points; O(n log n).
  * @param threads 0: all processors; the result does not depend on it */
 UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<int>& indices,

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unit_check.h"
 
+#include "sedr_filters/src/base/middle_value.h"
+#include <pcl/sedr_filters/plan_measures.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -30,6 +34,115 @@ inchProblem(const PointView& points, std::size_t storeys)
   return "the scan is " + std::to_string(std::lround(height)) +
          " m high: if its unit is the inch, scale it by 0.0254 (--unit 0.0254 in "
          "pcl_sedr)";
+}
+
+namespace {
+
+/** @brief Lengths of a kind, or areas, as they are in buildings. */
+struct Usual {
+  double low; ///< metres, square metres
+  double high;
+  double foot = pcl::sedr::foot; ///< the unit in which they may be
+  bool may_be_less = false;      ///< as easily as they may be more
+
+  double costOf(double value) const
+  {
+    const double x = std::log(value * value / (low * high)) / std::log(high / low);
+    return x < 0 && !may_be_less ? x * x / 2 : std::log1p(x * x);
+  }
+
+  /** @brief Returns how much more likely a value is in feet, nats. */
+  double natsOf(double value) const
+  {
+    return value > 0 ? costOf(value) - costOf(value * foot) : 0;
+  }
+};
+
+/** @brief What is known of the unit of a plan. */
+struct UnitEvidence {
+  double nats = 0;
+  std::string words;
+
+  /** @brief Adds the median of some values, if there are any, with words for it. */
+  void add(const std::vector<double>& values, const Usual& usual, const char* format)
+  {
+    if (values.empty())
+      return;
+    const double value = middleValue(values);
+    nats += usual.natsOf(value);
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    words += text.data();
+  }
+};
+
+/** @brief Returns how far above the floors of rooms the scanner stood. */
+std::vector<double>
+heightsOfScanners(const Floorplan& plan, const std::vector<Eigen::Vector3f>& places)
+{
+  std::vector<double> heights;
+  for (const Eigen::Vector3f& place : places) {
+    const Eigen::Vector3d p = place.cast<double>();
+    for (const PlanRoom& room : plan.rooms)
+      if (p.z() > room.floor.heightAt(p.head<2>()) &&
+          p.z() < room.ceiling.heightAt(p.head<2>()) && room.contains(p.head<2>()))
+        heights.push_back(p.z() - room.floor.heightAt(p.head<2>()));
+  }
+  return heights;
+}
+
+} // namespace
+
+std::string
+footProblem(const Floorplan& plan,
+            const std::vector<Eigen::Vector3f>& places,
+            const Priors& priors)
+{
+  constexpr double doubtful = 2;         // nats
+  constexpr double lowest_scanner = 1.2; // metres; one on a table
+  const Usual height{priors.min_home_height, priors.max_home_height};
+  const Usual area{4 * priors.min_slab_area, priors.max_home_area, foot * foot, true};
+  double whole = 0;
+  double sum = 0;
+  double largest = 0;
+  double height_of_largest = 0;
+  for (const PlanRoom& room : plan.rooms) {
+    if (room.boundary.elements.empty())
+      continue;
+    const double size = room.area();
+    const double usual = clearHeight(room).usual;
+    whole += size;
+    sum += size * (height.natsOf(usual) + area.natsOf(size));
+    if (size > largest) {
+      largest = size;
+      height_of_largest = usual;
+    }
+  }
+  if (!(whole > 0))
+    return {};
+  UnitEvidence evidence;
+  evidence.nats = sum / whole;
+  std::vector<double> doors;
+  for (const PlanDoorway& doorway : plan.doorways)
+    doors.push_back(doorway.top - doorway.bottom);
+  std::vector<double> walls;
+  for (const auto& of_room : wallThicknesses(plan, priors.max_wall / foot))
+    for (const double thickness : of_room)
+      if (thickness > 0)
+        walls.push_back(thickness);
+  evidence.add(doors, {priors.min_headroom, priors.max_door_height},
+               ", doors are %.1f m high");
+  evidence.add(walls, {priors.min_wall, priors.max_wall, foot, true},
+               ", walls %.2f m thick");
+  evidence.add(heightsOfScanners(plan, places),
+               {lowest_scanner, priors.max_door_height},
+               ", and the scanner stood %.1f m above the floor");
+  if (!(evidence.nats > doubtful))
+    return {};
+  std::array<char, 100> text{};
+  std::snprintf(text.data(), text.size(), "the %sroom is %.1f m high and %.0f m2 large",
+                plan.rooms.size() > 1 ? "largest " : "", height_of_largest, largest);
+  return text.data() + evidence.words + ": " + if_in_feet;
 }
 
 } // namespace pcl::sedr

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pcl::sedr {
+
+constexpr double foot = 0.3048; ///< metres
+constexpr const char* if_in_feet =
+    "if the foot is the unit of the scan, scale it by 0.3048 (--unit 0.3048 in "
+    "pcl_sedr), else --unit 1 says that it is the metre";
 
 /** @brief Returns a sentence if the unit of a scan seems to be the inch, else an empty
  * one. The scan must be 60 to 200 high, like one or two storeys in inches, and more
@@ -14,5 +22,15 @@ namespace pcl::sedr {
  * end is ignored. Above 200, the check of the scan detects the unit. O(points).
  * @param storeys number of storeys found */
 std::string inchProblem(const PointView& points, std::size_t storeys);
+
+/** @brief Returns a sentence if the unit of a plan may be the foot, else an empty one:
+ * if its heights and areas of rooms, doors, walls and heights at which a scanner stood
+ * are by 2 nats more likely in feet. Of each kind the logarithm lies about the middle
+ * of the range that the priors give, which is two deviations wide; some are far above
+ * it, but nobody walks through what is far below. O(rooms times places).
+ * @param places where the scanner stood, in the frame of the plan; may be empty */
+std::string footProblem(const Floorplan& plan,
+                        const std::vector<Eigen::Vector3f>& places = {},
+                        const Priors& priors = {});
 
 } // namespace pcl::sedr

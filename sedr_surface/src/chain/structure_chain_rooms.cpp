@@ -7,7 +7,7 @@
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
+#include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>

@@ -138,6 +138,11 @@ TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
   RoomPoints wall;
   wall.wall(segment({0, 0}, {4, 0}), 0, 9);
   EXPECT_EQ(doubtOf(wall).reason, "");
+  EXPECT_FALSE(doubtOf(flat()).is_in_feet);
+  const UpDoubt of_feet =
+      doubtOf(rotated(flat(), Eigen::Matrix3d::Identity() / 0.3048));
+  EXPECT_TRUE(of_feet.is_in_feet);
+  EXPECT_EQ(of_feet.reason, "");
   EXPECT_EQ(doubtOfUp(PointView(), {}).reason, "");
 }
 
