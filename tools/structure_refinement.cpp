@@ -33,17 +33,11 @@ run(const Settings& settings, Refinement& refinement)
     refinement.setLabels(cloud.label);
     refinement.setRooms(cloud.room);
     refinement.filter(refined);
-    throwProblem(refinement.getErrorMessage());
+    throwProblem(refinement.getErrorMessage(), NothingFound);
   }
   const auto labelled =
       cloud.size() -
       static_cast<std::size_t>(std::count(cloud.label.begin(), cloud.label.end(), 0));
-  if (refined.empty())
-    throw ToolError("none of the " + std::to_string(labelled) +
-                        " labelled points of '" + cloud.path + "' is within " +
-                        std::to_string(refinement.getMaximumDistance()) +
-                        " m of its surface in '" + settings.plan + "'",
-                    NothingFound);
   cloud.blob = selectRows(cloud.blob, refinement.getSourceIndices());
   setSurfacePoints(cloud.blob, refinement.getSurfacePoints());
   settings.save(cloud);

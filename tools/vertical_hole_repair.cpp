@@ -56,13 +56,8 @@ run(const Settings& settings, Repair& repair)
     repair.setRooms(cloud.room);
     pcl::PointCloud<pcl::PointXYZ> whole;
     repair.filter(whole);
-    throwProblem(repair.getErrorMessage());
+    throwProblem(repair.getErrorMessage(), NothingFound);
   }
-  if (repair.getSourceIndices().size() == repair.getRepairedIndices().size())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path + "' is on a surface of '" + settings.plan +
-                        "': refine the structure first",
-                    NothingFound);
   const std::size_t filled = apply(repair, cloud);
   settings.save(cloud);
   say(std::to_string(rowsOf(cloud.blob)) + " points, " + std::to_string(filled) +

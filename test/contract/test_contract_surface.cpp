@@ -62,10 +62,10 @@ public:
   {
     parameter([this](double v) { stage_.setVoxelSize(static_cast<float>(v)); }, 0.05,
               {0, -0.05});
-    parameter([this](double v) { stage_.setPlaneTolerance(v); }, 0.07, {0});
+    parameter([this](double v) { stage_.setPlaneTolerance(v); }, 0.07, {0, 5});
     parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {nan, -1});
     parameter([this](double v) { stage_.setBoundaryEstimation(v, 200); }, M_PI / 3,
-              {-1});
+              {-1, 60});
     parameter([this](double v) { stage_.setBoundaryTolerance(v); }, 0.05, {0});
   }
 

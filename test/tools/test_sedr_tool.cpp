@@ -144,6 +144,15 @@ TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
   std::filesystem::remove(in("model/report.html"));
   ASSERT_EQ(run(SEDR_REPORT, {in("model")}).exit_code, 0);
   EXPECT_TRUE(bytesOf(in("model/report.html")) == page);
+
+  // A path relative to a folder above that of the result, where the run may have been.
+  std::string report = bytesOf(in("model/report.json"));
+  const std::string above = std::filesystem::path(in("")).parent_path().parent_path();
+  report.erase(report.find(above), above.size() + 1);
+  writeFile(in("model/report.json"), report);
+  ASSERT_EQ(run(SEDR_REPORT, {in("model")}).exit_code, 0);
+  EXPECT_NE(bytesOf(in("model/report.html")).find("\"is_scan\":true"),
+            std::string::npos);
 }
 
 TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)

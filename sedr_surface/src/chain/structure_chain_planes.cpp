@@ -57,9 +57,11 @@ bool
 ChainRun::findPlanes(StageReport& report)
 {
   const double tolerance = chain_.plane_detection.getDistanceThreshold();
-  if (const auto wrong = lengthProblem("the distance threshold", tolerance);
-      !wrong.empty())
-    return fail(wrong);
+  if (!(tolerance > 0 && 2 * tolerance < chain_.priors_.min_headroom))
+    return fail(
+        "the distance threshold must be above 0 and below half the headroom, it "
+        "is " +
+        std::to_string(tolerance) + " m");
   const double tilt = chain_.plane_detection.getMaximumTilt();
   if (!(tilt >= 0 && tilt <= M_PI / 4))
     return fail("the maximum tilt must be within 0 and pi/4 radians, it is " +

@@ -95,6 +95,9 @@ ChainRun::growWalls(StageReport& report)
 {
   chain_.wall_growing.setInputCloud(chain_.cloud);
   shareOut();
+  std::string problem = "no point lies within " +
+                        std::to_string(chain_.wall_growing.getDistanceThreshold()) +
+                        " m in plan of the boundary of the ceilings";
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     chain_.wall_growing.setIndices(territory_[r]);
@@ -104,7 +107,8 @@ ChainRun::growWalls(StageReport& report)
     chain_.wall_growing.setSliceHeight(slice_height_[r]);
     pcl::PointIndices walls;
     if (!chain_.wall_growing.segment(walls)) {
-      warn(room, chain_.wall_growing.getErrorMessage());
+      problem = chain_.wall_growing.getErrorMessage();
+      warn(room, problem);
       continue;
     }
     for (const int i : chain_.wall_growing.getWallIndices())
@@ -113,10 +117,7 @@ ChainRun::growWalls(StageReport& report)
         ++report.points_out;
       }
   }
-  return report.points_out > 0 ||
-         fail("no point lies within " +
-              std::to_string(chain_.wall_growing.getDistanceThreshold()) +
-              " m in plan of the boundary of the ceilings");
+  return report.points_out > 0 || fail(problem);
 }
 
 bool

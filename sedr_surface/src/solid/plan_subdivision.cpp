@@ -204,7 +204,7 @@ subdivideRoom(const RoomLayers& layers,
     for (const GridPoint& middle : touching)
       divider.addSquare({middle, half});
   }
-  if (corners_cut > 0)
+  if (constexpr double worth_telling = 0.01; widest > worth_telling) // metres
     warnings.push_back(warningOf(
         WarningKind::Contradiction,
         std::to_string(corners_cut) +

@@ -126,8 +126,14 @@ TEST(StructureRefinement, TakesLabelsAndRoomsForAPointTypeWithoutThem)
       << refinement.getErrorMessage();
   EXPECT_TRUE(refined.empty());
 
-  refinement.setLabels(labels);
   refinement.setRooms(rooms);
+  refinement.setLabels(std::vector<std::uint32_t>(rooms.size(), 0));
+  refinement.filter(refined);
+  EXPECT_EQ(refinement.getErrorMessage().rfind("none of the 0 labelled points of ", 0),
+            0u)
+      << refinement.getErrorMessage();
+
+  refinement.setLabels(labels);
   refinement.filter(refined);
   EXPECT_EQ(refinement.getErrorMessage(), "");
 

@@ -69,8 +69,7 @@ TEST(RoomSolidContradictions, AColumnThatTouchesAWall)
   const Solid corner(room);
   expectSound(corner);
   EXPECT_NEAR(corner.report.volume, 29 * 2.5, 1e-5);
-  ASSERT_EQ(corner.report.warnings.size(), 1u);
-  EXPECT_NE(corner.report.warnings[0].reason.find("1 mm"), std::string::npos);
+  EXPECT_TRUE(corner.report.warnings.empty()) << "of a millimetre nothing is told";
   room.columns[0] = reversed(circle({3, 4}, 1)); // tangent
   expectSound(Solid(room));
 }

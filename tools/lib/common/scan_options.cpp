@@ -116,10 +116,10 @@ addScanOptions(Options& options, ScanOptions& scan)
                  Range::atLeast(0));
   options.flag("skip-broken", scan.settings.skip_broken,
                "leave out the scans of an E57 file that cannot be read");
-  options.text(
-      "columns", scan.settings.columns,
-      "names of the columns of a text, such as x,y,z,intensity,red,green,blue; "
-      "_ is skipped");
+  options.text("columns", scan.settings.columns,
+               "names of the columns of a text, such as "
+               "x,y,z,intensity,red,green,blue; a column "
+               "without a use is _: _,x,y,z if the first numbers the points");
 }
 
 void

@@ -80,8 +80,12 @@ ResultFolder::scanPath() const
 {
   const fs::path path = valueAt(report_, "/input/path", std::string());
   std::error_code error;
-  for (const auto& candidate :
-       {path, path_ / path, path_ / path.filename(), path_ / ".." / path.filename()})
+  std::vector<fs::path> candidates{path, path_ / path.filename(),
+                                   path_ / ".." / path.filename()};
+  for (fs::path at = fs::absolute(path_, error); at != at.root_path();
+       at = at.parent_path())
+    candidates.push_back(at / path); // a folder in which the run may have been
+  for (const fs::path& candidate : candidates)
     if (!path.empty() && fs::is_regular_file(candidate, error))
       return candidate.string();
   return "";

@@ -8,6 +8,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/type_traits.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -58,6 +59,20 @@ structureProblem(const Floorplan* plan,
               std::to_string(labels.size()) + " labels and " +
               std::to_string(rooms.size()) + " rooms are known";
   return problem;
+}
+
+/** @brief Returns the sentence that no labelled point lies on the plan. */
+inline std::string
+nonePlaced(const pcl::Indices& indices,
+           const std::vector<std::uint32_t>& labels,
+           double distance)
+{
+  const auto labelled = std::count_if(indices.begin(), indices.end(), [&](index_t i) {
+    return labels[static_cast<std::size_t>(i)] != 0;
+  });
+  return "none of the " + std::to_string(labelled) + " labelled points of " +
+         std::to_string(indices.size()) + " is within " + std::to_string(distance) +
+         " m of its surface in the plan";
 }
 
 /** @brief Sets position, and normal, label and room where the type has them. */

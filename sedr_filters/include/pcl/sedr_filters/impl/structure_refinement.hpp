@@ -27,6 +27,10 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
   sedr::Refinement refinement =
       sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
                          maximum_distance_, this->threads_);
+  if (refinement.sources.empty()) {
+    this->failRun(sedr::nonePlaced(*indices_, labels, maximum_distance_));
+    return;
+  }
   sources_ = std::move(refinement.sources);
   surface_points_ = std::move(refinement.points);
   output.reserve(sources_.size());

@@ -39,6 +39,11 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   const sedr::Refinement refined =
       sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
                          on_surface, this->threads_);
+  if (refined.sources.empty()) {
+    this->failRun(sedr::nonePlaced(*indices_, labels, on_surface) +
+                  ": refine the structure first");
+    return;
+  }
   const sedr::OpeningSpaces openings(*plan_);
   std::vector<bool> is_used(refined.sources.size(), false);
   for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_)) {
