@@ -16,13 +16,19 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief What was set by hand was not measured: it counts as inferred in a plan that
- * tells what was. */
+ * tells what was of any of its walls. */
 void
-setByHand(bool is_measured_plan, PlanElement& wall)
+setByHand(const Floorplan& plan, PlanElement& wall)
 {
+  const auto isKnown = [](const PlanElement& e) { return e.evidence.isKnown(); };
+  const bool is_measured =
+      std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+        const std::vector<PlanElement>& walls = room.boundary.elements;
+        return std::any_of(walls.begin(), walls.end(), isKnown);
+      });
   wall.inliers = 0;
   wall.residual = 0;
-  wall.evidence = {0, is_measured_plan ? 1.0 : 0.0, 0};
+  wall.evidence = {0, is_measured ? 1.0 : 0.0, 0};
 }
 
 /** @brief A stretch of a straight wall between two rooms. */
@@ -164,8 +170,10 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     std::vector<PlanElement> loop;
     appendAround(first.boundary, shared.element, to, from, loop);
     loop.push_back(segment(near.pointAt(from), far.pointAt(there)));
+    setByHand(plan, loop.back());
     appendAround(second->boundary, shared.other, there, back, loop);
     loop.push_back(segment(far.pointAt(back), near.pointAt(to)));
+    setByHand(plan, loop.back());
     first.boundary.elements = std::move(loop);
     simplify(first.boundary);
     const auto append = [](auto& to, const auto& from) {
@@ -211,7 +219,7 @@ PlanEditor::split(std::uint32_t room,
         part.push_back(all[i]);
       part.push_back(all[last].part(0, t));
       part.push_back(segment(part.back().end, part.front().start));
-      setByHand(all[e].evidence.isKnown(), part.back());
+      setByHand(plan, part.back());
     }
     const bool is_first_left = cross(to - from, loops[0].elements[0].end - from) > 0;
     PlanRoom second = first;
@@ -289,6 +297,8 @@ PlanEditor::square(std::uint32_t room)
       const double off = std::remainder(angleOf(line) - axis, M_PI / 2);
       if (line.isArc() || std::abs(off) > most)
         continue;
+      if (std::abs(off) * line.length() / 2 > std::max(touching, line.residual))
+        setByHand(plan, line);
       const Eigen::Vector2d middle = (line.start + line.end) / 2;
       const auto turnBy = [&](double angle) {
         return Eigen::Affine2d(Eigen::Translation2d(middle) *
@@ -333,7 +343,7 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
     const Eigen::Vector2d off = -distance * line.normalAt(0);
     const Eigen::Affine2d away(Eigen::Translation2d{off});
     move(line, away);
-    setByHand(line.evidence.isKnown(), line);
+    setByHand(plan, line);
     for (PlanOpening& opening : plan.openings)
       for (const OpeningWall& in : opening.walls)
         if (in.room == room && in.element + 1 == wall) {

@@ -126,12 +126,27 @@ TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
 TEST(PlanEditor, WhatIsSetByHandWasNotMeasured)
 {
   Floorplan measured = twoRooms();
-  for (PlanElement& wall : measured.rooms[0].boundary.elements)
-    wall.evidence.seen = 1;
+  for (PlanRoom& room : measured.rooms)
+    for (PlanElement& wall : room.boundary.elements)
+      wall.evidence.seen = 1;
+  const auto inferredOf = [](const PlanEditor& editor, std::size_t wall) {
+    return wallShares(editor.getFloorplan(), editor.getFloorplan().rooms[0], wall)
+        .inferred;
+  };
+  PlanEditor merged(measured);
+  ASSERT_TRUE(merged.merge(1, 2));
+  EXPECT_NEAR(inferredOf(merged, 0), 0.2 / 6.2, 1e-9) << "between the rooms";
+  Floorplan oblique = measured;
+  oblique.rooms[0].boundary.elements[2].start.y() += 0.1;
+  oblique.rooms[0].boundary.elements[1].end.y() += 0.1;
+  PlanEditor squared(oblique);
+  ASSERT_TRUE(squared.square(1));
+  EXPECT_EQ(inferredOf(squared, 0), 1);
+  EXPECT_EQ(inferredOf(squared, 2), 0) << "the longest one stays";
+  measured.rooms[0].boundary.elements[3].evidence = {}; // others tell that it is known
   PlanEditor moved(measured);
   ASSERT_TRUE(moved.moveWall(1, 4, 0.05));
-  EXPECT_EQ(wallShares(moved.getFloorplan(), moved.getFloorplan().rooms[0], 3).inferred,
-            1);
+  EXPECT_EQ(inferredOf(moved, 3), 1);
   PlanEditor parted(measured);
   ASSERT_TRUE(parted.split(1, {1, -1}, {1, 4}));
   for (const std::size_t r : {0, 2}) {
