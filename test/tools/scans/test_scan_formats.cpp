@@ -276,7 +276,7 @@ TEST_F(ScanFormats, ColumnsOfTextAreDividedByAnySign)
         // Names and units of other programs.
         "Z [m], X [m], Y [m]\n3,1.5,2\n", "\"Z(m)\";\"X(m)\";\"Y(m)\"\n3;1.5;2\n",
         "h,e,n\n3,1.5,2\n", "Height;Easting;Northing\n3;1.5;2\n",
-        "# z x y\n# by hand\n\n3 1.5 2\n"})
+        "Höhe;Rechtswert;Hochwert\n3;1,5;2\n", "# z x y\n# by hand\n\n3 1.5 2\n"})
     expectPoint(text(bytes), 0, 1.5, 2, 3);
   expectPoint(text("1;2,5;3\n4;5,25;6\n"), 1, 4, 5.25, 6);
   expectPoint(text("a,b,c\n1.5,2,3\n", "x,y,z"), 0, 1.5, 2, 3);

@@ -302,6 +302,8 @@ TEST_F(JointScans, OfAFolderAreItsScansByName)
             std::string::npos);
   std::filesystem::create_directory(in("empty"));
   EXPECT_THROW(scanFilesOf({in("empty")}), ToolError);
+  const std::string text = write("1 2 3\n", "empty/scan.csv");
+  EXPECT_EQ(scanFilesOf({in("empty")}), std::vector<std::string>{text});
   EXPECT_THROW(scanFilesOf({"-", all[0], "-"}), ToolError);
   EXPECT_THROW(JointScan({all[0], in("missing.pcd")}, {}), ToolError);
 }

@@ -11,7 +11,6 @@
 #include <pcl/point_types.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -21,15 +20,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using Names = std::vector<const char*>;
+const Names of_scans{".pcd", ".ply", ".e57", ".las", ".xyz", ".pts"};
+const Names of_texts{".csv", ".txt", ".asc"};
+
 bool
-isScanName(const fs::path& path)
+hasOneOf(const Names& extensions, const std::string& path)
 {
-  constexpr std::array<const char*, 6> known{".pcd", ".ply", ".e57",
-                                             ".las", ".xyz", ".pts"};
-  return std::any_of(known.begin(), known.end(), [&](const char* extension) {
-    return hasExtension(path.string(), extension);
+  return std::any_of(extensions.begin(), extensions.end(), [&](const char* extension) {
+    return hasExtension(path, extension);
   });
 }
+
+/** @brief Returns the paths of scans in a folder; texts that may be something else only
+ * if there are no others. */
 
 std::vector<std::string>
 scansIn(const std::string& folder)
@@ -45,15 +49,25 @@ scansIn(const std::string& folder)
                            entry->path().filename().string()))
       ++results;
     else if (!fs::is_directory(entry->path(), error))
-      (isScanName(entry->path()) ? paths : others).push_back(entry->path().string());
+      others.push_back(entry->path().string());
   if (error)
     throw ToolError("cannot read the folder '" + folder + "': " + error.message());
   if (results > 0)
     warnOnce("the folder '" + folder + "' has " + std::to_string(results) +
              " files that its report.json lists as results, which are left out");
+  for (const Names& extensions : {of_scans, of_texts})
+    if (paths.empty()) {
+      const auto scans =
+          std::stable_partition(others.begin(), others.end(), [&](const auto& path) {
+            return !hasOneOf(extensions, path);
+          });
+      paths.assign(scans, others.end());
+      others.erase(scans, others.end());
+    }
   if (paths.empty())
     throw ToolError("the folder '" + folder +
-                    "' has no .pcd, .ply, .e57, .las, .xyz or .pts file" +
+                    "' has no .pcd, .ply, .e57, .las, .xyz, .pts, .csv, .txt or .asc "
+                    "file" +
                     (results > 0 ? " but results" : ""));
   std::sort(paths.begin(), paths.end());
   std::sort(others.begin(), others.end());

@@ -64,12 +64,16 @@ Names
 columnNames(std::string_view line)
 {
   static const std::map<std::string, std::string> known{
-      {"e", "x"},         {"east", "x"},      {"easting", "x"},
-      {"n", "y"},         {"north", "y"},     {"northing", "y"},
-      {"h", "z"},         {"height", "z"},    {"elev", "z"},
-      {"elevation", "z"}, {"r", "red"},       {"g", "green"},
-      {"b", "blue"},      {"i", "intensity"}, {"reflectance", "intensity"},
-      {"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
+      {"x", " e east easting rechtswert ostwert "},
+      {"y", " n north northing hochwert nordwert "},
+      {"z", " h height elev elevation höhe hoehe "},
+      {"red", " r rot "},
+      {"green", " g grün gruen "},
+      {"blue", " b blau "},
+      {"intensity", " i reflectance intensität intensitaet "},
+      {"normal_x", " nx "},
+      {"normal_y", " ny "},
+      {"normal_z", " nz "}};
   std::string text;
   int depth = 0;
   for (const char c : line) {
@@ -89,10 +93,12 @@ columnNames(std::string_view line)
   }
   names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   for (std::string& name : names)
-    if (const auto field = known.find(name);
-        field != known.end() &&
-        std::find(names.begin(), names.end(), field->second) == names.end())
-      name = field->second;
+    for (const auto& [field, words] : known)
+      if (words.find(" " + name + " ") != words.npos &&
+          std::find(names.begin(), names.end(), field) == names.end()) {
+        name = field;
+        break;
+      }
   return names;
 }
 
