@@ -25,6 +25,15 @@ public:
 
   bool empty() const { return bins_.empty(); }
 
+  /** @brief How many they are. */
+  double total() const
+  {
+    double sum = 0;
+    for (const auto& entry : bins_)
+      sum += static_cast<double>(entry.second);
+    return sum;
+  }
+
   /** @brief The lowest height around which at least `share` of all lie, metres. */
   double lowestOf(double share) const
   {
@@ -56,14 +65,6 @@ public:
 
 private:
   static constexpr double bin = 0.05; // metres
-
-  double total() const
-  {
-    double sum = 0;
-    for (const auto& entry : bins_)
-      sum += static_cast<double>(entry.second);
-    return sum;
-  }
 
   std::size_t count(long at) const
   {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -73,13 +74,12 @@ public:
                                            air_.columns().cellSize())));
     for (const std::uint32_t g : places_)
       slab_[g][0] = ceiling[g];
-    std::vector<Slab> whole; // of both faces
     for (const std::uint32_t g : places_)
-      if (hasBothFaces(g))
-        whole.push_back(slab_[g]);
-    forEachRegion(false, [&](const auto& region, const auto& rim) {
-      completeFace(region, rim.empty() ? whole : rim, whole);
-    });
+      for (const std::size_t side : {0, 1})
+        if (hasBothFaces(g))
+          other_faces_[side][air_.voxels(slab_[g][side])].add(slab_[g][1 - side]);
+    forEachRegion(
+        false, [&](const auto& region, const auto& rim) { completeFace(region, rim); });
     return std::move(gaps_);
   }
 
@@ -159,36 +159,44 @@ private:
     return region;
   }
 
-  /** @param around slabs of which one face is that which was seen of the region
-   * @param whole those that tell how thick such slabs are */
-  void completeFace(const std::vector<std::uint32_t>& region,
-                    const std::vector<Slab>& around,
-                    const std::vector<Slab>& whole)
+  /** @brief Heights of the other faces of all slabs of which one lies at a height. */
+  HeightCounts otherFaces(std::size_t side, double height) const
   {
+    HeightCounts others;
+    const auto& at = other_faces_[side];
+    const int middle = air_.voxels(height);
+    const int reach = air_.voxels(air_.parameters().thinnest_slab / 2);
+    for (auto of = at.lower_bound(middle - reach); of != at.upper_bound(middle + reach);
+         ++of)
+      others.add(of->second);
+    return others;
+  }
+
+  void completeFace(const std::vector<std::uint32_t>& region,
+                    const std::vector<Slab>& rim)
+  {
+    constexpr double deepest = 2; // metres behind slabs: area over length of rim
     std::array<HeightCounts, 2> heights;
     for (const std::uint32_t g : region)
-      for (std::size_t side = 0; side < 2; ++side)
+      for (const std::size_t side : {0, 1})
         heights[side].add(slab_[g][side]);
     const Slab seen{heights[0].highestCount(), heights[1].highestCount()};
     const auto goesOn = [&](const Slab& slab, std::size_t side) {
       return std::abs(slab[side] - seen[side]) < air_.parameters().thinnest_slab / 2;
     };
-    std::array<std::ptrdiff_t, 2> goes_on{};
-    for (std::size_t side = 0; side < 2; ++side)
-      goes_on[side] =
-          std::count_if(around.begin(), around.end(),
-                        [&](const Slab& slab) { return goesOn(slab, side); });
-    constexpr double deepest = 2; // metres behind these slabs: area over length of rim
+    std::array<double, 2> goes_on{};
+    for (const std::size_t side : {0, 1}) {
+      for (const Slab& slab : rim)
+        goes_on[side] += goesOn(slab, side) ? 1 : 0;
+      if (rim.empty())
+        goes_on[side] = otherFaces(side, seen[side]).total();
+    }
     if (static_cast<double>(region.size()) * air_.columns().cellSize() >=
-        deepest * static_cast<double>(goes_on[0] + goes_on[1]))
+        deepest * (goes_on[0] + goes_on[1]))
       return;
     const bool is_ceiling = goes_on[0] >= goes_on[1];
     const std::size_t side = is_ceiling ? 0 : 1;
-    HeightCounts others;
-    for (const Slab& slab : whole)
-      if (goesOn(slab, side))
-        others.add(slab[1 - side]);
-    const double other = others.highestCount();
+    const double other = otherFaces(side, seen[side]).highestCount();
     for (const std::uint32_t g : region)
       if (goesOn(slab_[g], 1)) // else a tread of stairs
         moveApart(g, {other, other}, {!is_ceiling, is_ceiling});
@@ -222,6 +230,8 @@ private:
   std::vector<std::uint32_t> places_; ///< those gaps
   std::vector<std::uint8_t> is_met_;
   std::vector<AirGap> gaps_;
+  /// Of lower and upper faces, by voxel: the heights of the other face.
+  std::array<std::map<int, HeightCounts>, 2> other_faces_;
 };
 
 } // namespace
