@@ -438,11 +438,12 @@ class ReportInABrowser(BrowserCase):
                         clickCount=1)
         self.assertGreater(self.difference(self.canvas(browser), before), 0.05)
 
-    def test_fits_a_phone(self):
-        browser = self.open(390, 844)
-        self.assertLessEqual(browser.run("document.documentElement.scrollWidth"), 390)
-        self.assertEqual(browser.run("[...document.querySelectorAll('.wide')].filter(e => e.scrollWidth > e.clientWidth)"
-                                     ".length"), 0, "no table is cut off")
+    def test_fits_a_phone_and_any_window(self):
+        for width in (390, 700, 840, 1100):
+            browser = self.open(width, 844)
+            self.assertLessEqual(browser.run("document.documentElement.scrollWidth"), width)
+            self.assertEqual(browser.run("[...document.querySelectorAll('.wide')]"
+                                         ".filter(e => e.scrollWidth > e.clientWidth).length"), 0, "no table is cut off")
 
     def test_fits_a_sheet_of_paper(self):
         browser = self.open(700, 1000)
