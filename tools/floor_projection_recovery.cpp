@@ -106,7 +106,7 @@ run(const Settings& settings)
 {
   settings.check();
   ToolCloud cloud = loadCloud(settings.input);
-  pcl::Indices outside = requireLabel(cloud, StructureLabel::Floor);
+  const pcl::Indices labelled = requireLabel(cloud, StructureLabel::Floor);
   const bool is_numbered = hasRooms(cloud) && hasRooms(cloud, StructureLabel::Floor);
   Recovered result;
   {
@@ -124,11 +124,9 @@ run(const Settings& settings)
           cloud.room[static_cast<std::size_t>(i)] = room.id;
         }
     }
-    const auto end = std::remove_if(outside.begin(), outside.end(), [&](int i) {
-      return is_inside[static_cast<std::size_t>(i)];
-    });
-    outside.erase(end, outside.end());
-    result.removed.insert(result.removed.end(), outside.begin(), outside.end());
+    for (const int i : labelled)
+      if (!is_inside[static_cast<std::size_t>(i)])
+        result.removed.push_back(i);
   }
   apply(settings, result, cloud);
   settings.save(cloud);

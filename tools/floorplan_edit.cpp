@@ -149,8 +149,7 @@ main(int argc, char** argv)
     if (editor.getFloorplan().rooms.empty())
       throw ToolError("no room is left");
     document.plan = editor.getFloorplan();
-    writeWhole(output,
-               [&](std::ostream& stream) { stream << documentToJson(document); });
+    writeWhole(output, documentToJson(document));
     return Done;
   });
 }

@@ -83,9 +83,7 @@ run(const Settings& settings, Fitting& fitting)
   }
   if (!settings.building.empty())
     giveStoreys(building, plan);
-  writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::documentToJson(document);
-  });
+  writeWhole(settings.output, documentToJson(document));
   settings.picture.write([&] { return drawPlan(plan, fitting.getBoundaries()); });
   for (const auto& line : summaryOf(fitting.getWarnings()))
     warn(line);

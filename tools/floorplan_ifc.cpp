@@ -52,7 +52,7 @@ main(int argc, char** argv)
         arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;
     settings.max_wall = file.max_wall;
     const auto model = writeIfc(file.plan, settings, file.origin);
-    writeWhole(output, [&](std::ostream& stream) { stream << model.text; });
+    writeWhole(output, model.text);
     tell(model);
     return Done;
   });

@@ -31,13 +31,11 @@ struct Settings {
   std::string json;
 };
 
-std::shared_ptr<const TriangleMesh>
+std::shared_ptr<TriangleMesh>
 load(const std::string& path)
 {
   auto mesh = std::make_shared<TriangleMesh>();
-  const std::string problem = pcl::sedr::loadMesh(path, *mesh);
-  if (!problem.empty())
-    throw ToolError(problem);
+  throwProblem(pcl::sedr::loadMesh(path, *mesh));
   return mesh;
 }
 
@@ -47,12 +45,9 @@ loadFrom(const pcl::sedr::Origin& origin, const std::string& path)
 {
   const auto mesh = load(path);
   const Eigen::Vector3d shift = originOfModel(path).place - origin.place;
-  if (shift.isZero(0))
-    return mesh;
-  auto moved = std::make_shared<TriangleMesh>(*mesh);
-  for (auto& vertex : moved->vertices)
+  for (auto& vertex : mesh->vertices)
     vertex += shift;
-  return moved;
+  return mesh;
 }
 
 /** @brief Parses a list of labels such as "1,2,3". */

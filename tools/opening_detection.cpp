@@ -43,8 +43,7 @@ run(const Settings& settings, Detection& detection)
     if (!detection.segment(plan))
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
-  writeWhole(settings.output,
-             [&](std::ostream& stream) { stream << documentToJson(file); });
+  writeWhole(settings.output, documentToJson(file));
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const pcl::sedr::PlanOpening& opening : plan.openings) {
     char text[160];

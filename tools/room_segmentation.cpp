@@ -74,8 +74,7 @@ run(const Settings& settings, Segmentation& segmentation)
   setField(cloud.blob, "room", building.room_of);
   saveCloud(settings.output, cloud);
   if (!settings.building.empty())
-    writeWhole(settings.building,
-               [&](std::ostream& stream) { stream << buildingToJson(building); });
+    writeWhole(settings.building, buildingToJson(building));
   settings.picture.write([&] { return drawRooms(building); });
   print(building);
   return Done;

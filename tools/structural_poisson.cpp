@@ -73,10 +73,8 @@ run(const Settings& settings, Poisson& poisson)
     tell(report);
   if (poisson.getMesh().empty())
     throw ToolError(poisson.getErrorMessage(), NothingFound);
-  writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::meshToPly(poisson.getMesh(),
-                                   originComments(originOfModel(settings.input)));
-  });
+  writeWhole(settings.output, meshToPly(poisson.getMesh(),
+                                        originComments(originOfModel(settings.input))));
   if (!poisson.getErrorMessage().empty())
     std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;
   return Done;

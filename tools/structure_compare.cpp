@@ -65,9 +65,7 @@ run(const Settings& settings)
   if (changes.empty())
     std::cout << "nothing has changed\n";
   if (!settings.json.empty())
-    writeWhole(settings.json, [&](std::ostream& stream) {
-      stream << changesToJson(changes, settings.compare);
-    });
+    writeWhole(settings.json, changesToJson(changes, settings.compare));
   settings.picture.write([&] { return drawChanges(before, after, changes); });
   return Done;
 }

@@ -34,7 +34,8 @@ class Ceiling : public testing::TestWithParam<ExpectedCeiling> {};
 std::shared_ptr<const pcl::sedr::TriangleMesh>
 truthOf(const sim::Scene& scene)
 {
-  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>(sim::truthMesh(scene));
+  auto mesh =
+      std::make_shared<pcl::sedr::TriangleMesh>(sim::truthOf(sim::meshOf(scene)));
   for (Eigen::Vector3d& vertex : mesh->vertices)
     vertex = sim::placed(scene.placement, vertex);
   return mesh;

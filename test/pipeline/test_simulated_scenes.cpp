@@ -31,7 +31,7 @@ std::shared_ptr<const pcl::sedr::TriangleMesh>
 truthOf(const std::string& scene)
 {
   const sim::Scene s = sim::sceneNamed(scene);
-  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>(sim::truthMesh(s));
+  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>(sim::truthOf(sim::meshOf(s)));
   for (Eigen::Vector3d& vertex : mesh->vertices)
     vertex = sim::placed(s.placement, vertex);
   return mesh;

@@ -60,7 +60,7 @@ class RoomMesh : public testing::TestWithParam<Expected> {};
 TEST_P(RoomMesh, isClosedAndHasTheVolumeAndAreasOfItsParts)
 {
   const Expected& e = GetParam();
-  const TriangleMesh mesh = truthMesh(read(with(boxFile(), e.changes)));
+  const TriangleMesh mesh = truthOf(meshOf(read(with(boxFile(), e.changes))));
   EXPECT_TRUE(isClosedManifold(mesh));
   EXPECT_NEAR(mesh.signedVolume(), e.volume, 60 * e.tolerance);
   EXPECT_NEAR(areaOf(mesh, Label::Ceiling), e.ceiling, 60 * e.tolerance);
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(All,
 TEST(SceneMesh, ofEveryBuiltInSceneIsOneClosedComponentARoom)
 {
   for (const Scene& scene : allScenes()) {
-    const TriangleMesh mesh = truthMesh(scene);
+    const TriangleMesh mesh = truthOf(meshOf(scene));
     EXPECT_TRUE(isClosedManifold(mesh)) << scene.name;
     std::set<std::uint32_t> numbers(mesh.rooms.begin(), mesh.rooms.end());
     EXPECT_EQ(numbers.size(), scene.rooms.size()) << scene.name;

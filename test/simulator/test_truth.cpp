@@ -13,7 +13,7 @@ json
 truthJsonOf(const json& file)
 {
   const Scene scene = read(file);
-  return json::parse(truthToJson(scene, truthMesh(scene)));
+  return json::parse(truthToJson(scene, truthOf(meshOf(scene))));
 }
 
 TEST(Truth, ofARoomHasItsMeasuresInTheFrameOfTheFiles)

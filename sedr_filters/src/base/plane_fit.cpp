@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_fit.h"
 
+#include "densest_window.h"
 #include "middle_value.h"
 #include "parallel_for.h"
 #include "symmetric_eigen.h"
@@ -89,21 +90,14 @@ planeThrough(const Eigen::Vector3d& a,
 PlanSlab
 densestLevel(const Positions& points, double tolerance)
 {
-  std::vector<float> heights;
+  std::vector<double> heights;
   for (const auto& p : points)
     heights.push_back(p.z());
   std::sort(heights.begin(), heights.end());
-  std::size_t best_first = 0;
-  std::size_t best_last = 0;
-  for (std::size_t first = 0, last = 0; last < heights.size(); ++last) {
-    while (heights[last] - heights[first] > tolerance)
-      ++first;
-    if (last - first > best_last - best_first) {
-      best_first = first;
-      best_last = last;
-    }
-  }
-  return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
+  if (heights.empty())
+    return horizontalSlab(0);
+  const auto [first, last] = densestWindow(heights, tolerance);
+  return horizontalSlab(heights[(first + last) / 2]);
 }
 
 /** @brief Returns how well points agree with a slab: each scores 1 on it, falling to 0

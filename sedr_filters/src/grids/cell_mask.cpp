@@ -229,16 +229,12 @@ labelRegions(const CellMask& mask, bool eight_connected)
       continue;
     const auto region = static_cast<std::int32_t>(regions.sizes.size());
     regions.sizes.push_back(0);
-    regions.touches_border.push_back(0);
     regions.label[start] = region;
     stack.push_back(start);
     while (!stack.empty()) {
       const Cell cell = mask.cellAt(stack.back());
       stack.pop_back();
       ++regions.sizes.back();
-      if (cell.x == mask.box().low.x || cell.x == mask.box().high.x ||
-          cell.y == mask.box().low.y || cell.y == mask.box().high.y)
-        regions.touches_border.back() = 1;
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
           const Cell next{cell.x + dx, cell.y + dy};
@@ -319,16 +315,10 @@ growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
 CellMask
 enclosedCells(const CellMask& mask)
 {
-  const CellMask empty = inverted(mask);
-  const MaskRegions regions = labelRegions(empty, false);
-  CellMask enclosed(mask.box());
-  for (std::size_t i = 0; i < enclosed.values().size(); ++i)
-    enclosed.values()[i] =
-        regions.label[i] >= 0 &&
-                !regions.touches_border[static_cast<std::size_t>(regions.label[i])]
-            ? 1
-            : 0;
-  return enclosed;
+  // The cells around the box are in the first region.
+  const CellMask empty = inverted(cropped(mask, grown(mask.box(), 1)));
+  const CellMask outside = regionMask(empty, labelRegions(empty, false), 0);
+  return cropped(subtract(empty, outside), mask.box());
 }
 
 std::vector<float>

@@ -120,7 +120,6 @@ std::vector<float> squaredDistances(const CellMask& mask);
 struct MaskRegions {
   std::vector<std::int32_t> label; ///< region of each cell of the box; -1 if not set
   std::vector<std::size_t> sizes;  ///< cells, in the order of the first cells
-  std::vector<std::uint8_t> touches_border; ///< 1 if at the edge of the box
 };
 
 /** @brief Labels the regions of the set cells, four- or eight-connected. O(cells). */

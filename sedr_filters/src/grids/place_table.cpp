@@ -53,24 +53,14 @@ PlaceTable::finish()
     return problem;
   }
   frame_ = CellMask(box);
-  const auto forEachCell = [&](const CellBox& cells, const auto& visit) {
-    for (std::int32_t y = cells.low.y; y <= cells.high.y; ++y)
-      for (std::int32_t x = cells.low.x; x <= cells.high.x; ++x)
-        visit(frame_.indexOf({x, y}));
-  };
-  first_.assign(frame_.values().size(), 0);
+  numbers_.resize(frame_.values().size());
   for (const Entry& entry : entries)
-    forEachCell(entry.box, [&](std::size_t i) { ++first_[i]; });
-  std::size_t total = 0;
-  for (auto& first : first_)
-    total += std::exchange(first, total);
-  last_ = first_;
-  numbers_.resize(total);
-  for (const Entry& entry : entries)
-    forEachCell(entry.box, [&](std::size_t i) {
-      if (last_[i] == first_[i] || numbers_[last_[i] - 1] != entry.number)
-        numbers_[last_[i]++] = entry.number;
-    });
+    for (std::int32_t y = entry.box.low.y; y <= entry.box.high.y; ++y)
+      for (std::int32_t x = entry.box.low.x; x <= entry.box.high.x; ++x) {
+        Numbers& numbers = numbers_[frame_.indexOf({x, y})];
+        if (numbers.empty() || numbers.back() != entry.number)
+          numbers.push_back(entry.number);
+      }
   return {};
 }
 

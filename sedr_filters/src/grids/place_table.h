@@ -19,13 +19,7 @@ namespace pcl::sedr {
 class PlaceTable {
 public:
   /** @brief The objects that may be at a place, increasing and unique. */
-  struct Numbers {
-    const std::uint32_t* first = nullptr;
-    const std::uint32_t* last = nullptr;
-
-    const std::uint32_t* begin() const { return first; }
-    const std::uint32_t* end() const { return last; }
-  };
+  using Numbers = std::vector<std::uint32_t>;
 
   /** @param cell_size metres; about the size of most objects */
   explicit PlaceTable(double cell_size)
@@ -42,14 +36,11 @@ public:
    * @return why there is no table, as a sentence; empty otherwise */
   std::string finish();
 
-  Numbers at(const Eigen::Vector2d& p) const
+  const Numbers& at(const Eigen::Vector2d& p) const
   {
-    if (!all_.empty())
-      return {all_.data(), all_.data() + all_.size()};
     if (!grid_.holds(p.x(), p.y()) || !frame_.isInside(grid_.at(p.x(), p.y())))
-      return {};
-    const std::size_t i = frame_.indexOf(grid_.at(p.x(), p.y()));
-    return {numbers_.data() + first_[i], numbers_.data() + last_[i]};
+      return all_;
+    return numbers_[frame_.indexOf(grid_.at(p.x(), p.y()))];
   }
 
 private:
@@ -61,11 +52,9 @@ private:
 
   CellGrid grid_;
   std::vector<Entry> entries_;
-  CellMask frame_; ///< gives the index of each cell
-  std::vector<std::size_t> first_;
-  std::vector<std::size_t> last_;
-  std::vector<std::uint32_t> numbers_;
-  std::vector<std::uint32_t> all_; ///< all numbers, if there is no table
+  CellMask frame_;               ///< gives the index of each cell
+  std::vector<Numbers> numbers_; ///< of each cell
+  Numbers all_;                  ///< all numbers, if there is no table
 };
 
 } // namespace pcl::sedr

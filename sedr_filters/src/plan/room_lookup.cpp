@@ -2,6 +2,7 @@
 #include "room_lookup.h"
 
 #include "plan_arcs.h"
+#include "plan_bounds.h"
 #include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
@@ -56,9 +57,7 @@ void
 fill(PlaceTable& places, const Things& things, LoopOf loopOf)
 {
   for (std::size_t i = 0; i < things.size(); ++i) {
-    Eigen::AlignedBox2d box;
-    for (const PlanElement& e : loopOf(things[i]).elements)
-      box.extend(boxAround(e));
+    const Eigen::AlignedBox2d box = boundsOf(loopOf(things[i]));
     if (!box.isEmpty())
       places.addIn(box, static_cast<std::uint32_t>(i));
   }
@@ -70,9 +69,9 @@ lastAround(const std::vector<PlanDetail>& details,
            const PlaceTable& places,
            const Eigen::Vector2d& p)
 {
-  const PlaceTable::Numbers near = places.at(p);
-  for (const std::uint32_t* i = near.end(); i != near.begin();)
-    if (details[*--i].contains(p))
+  const PlaceTable::Numbers& near = places.at(p);
+  for (auto i = near.rbegin(); i != near.rend(); ++i)
+    if (details[*i].contains(p))
       return static_cast<int>(*i);
   return -1;
 }
@@ -96,7 +95,7 @@ RoomLookup::RoomLookup(const PlanRoom& room)
 bool
 RoomLookup::isInColumn(const Eigen::Vector2d& p) const
 {
-  const PlaceTable::Numbers near = columns_.at(p);
+  const PlaceTable::Numbers& near = columns_.at(p);
   return std::any_of(near.begin(), near.end(),
                      [&](std::uint32_t c) { return room_->columns[c].contains(p); });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../base/middle_value.h"
 #include "plan_bounds.h"
 #include "room_lookup.h"
 #include <pcl/sedr_filters/plan_measures.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -84,9 +86,7 @@ clearHeight(const PlanRoom& room)
   if (heights.empty())
     return found;
   found.mean /= static_cast<double>(heights.size());
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  found.usual = *middle;
+  found.usual = middleValue(std::move(heights));
   return found;
 }
 

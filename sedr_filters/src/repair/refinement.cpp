@@ -283,10 +283,8 @@ OpeningSpaces::OpeningSpaces(const Floorplan& plan)
   for (const PlanOpening& opening : plan.openings) {
     spaces_.push_back({opening});
     for (const OpeningWall& of : opening.walls) {
-      const auto room =
-          std::find_if(plan.rooms.begin(), plan.rooms.end(),
-                       [&](const PlanRoom& r) { return r.id == of.room; });
-      if (room == plan.rooms.end() || of.element >= room->boundary.elements.size())
+      const PlanRoom* const room = findRoom(plan, of.room);
+      if (!room || of.element >= room->boundary.elements.size())
         continue;
       const PlanElement& wall = room->boundary.elements[of.element];
       const double s = wall.project((opening.start + opening.end) / 2);

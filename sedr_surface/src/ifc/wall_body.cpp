@@ -3,6 +3,7 @@
 
 #include "level_slab.h"
 
+#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
 
@@ -149,8 +150,7 @@ ceilingInside(const Floorplan& plan, const PlanWall& wall, const PlanRoom& room)
                           ? std::numeric_limits<double>::infinity()
                           : height);
   }
-  std::sort(heights.begin(), heights.end());
-  return heights[samples / 2];
+  return middleValue(std::move(heights));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_facets.h"
 
+#include "sedr_filters/src/plan/plan_segment.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -41,16 +43,6 @@ cornersOf(const RoomLayers::Loop& loop, double chord_tolerance)
                          k == 0 ? std::max(own, before) : own, own, k == 0});
   }
   return corners;
-}
-
-/** @brief Returns the point of the segment from a to b nearest to p. */
-Eigen::Vector2d
-nearestOn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p)
-{
-  const Eigen::Vector2d way = b - a;
-  const double square = way.squaredNorm();
-  const double share = square > 0 ? (p - a).dot(way) / square : 0;
-  return a + std::clamp(share, 0.0, 1.0) * way;
 }
 
 /** @brief Fits loops one by one to the previous ones. */
@@ -109,7 +101,8 @@ private:
   Eigen::Vector2d placeOf(const Corner& corner) const
   {
     const Eigen::Vector2d on_edge = nearestPlace(corner, [&](const Facet& facet) {
-      return std::make_pair(nearestOn(facet.from.place, facet.to, corner.place),
+      const PlanElement edge = segment(facet.from.place, facet.to);
+      return std::make_pair(edge.pointAt(edge.project(corner.place)),
                             std::max(corner.tolerance, facet.from.edge_tolerance));
     });
     if (!corner.is_joint)

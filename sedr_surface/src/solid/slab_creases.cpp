@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slab_creases.h"
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -108,30 +112,6 @@ reliefCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
   return creases;
 }
 
-/** @brief Clips a crease to a box.
- * @return whether anything is left */
-bool
-clip(const Eigen::AlignedBox2d& box, Crease& crease)
-{
-  const Eigen::Vector2d way = crease.second - crease.first;
-  double from = 0;
-  double to = 1;
-  for (int k = 0; k < 2; ++k) {
-    const double low = box.min()[k] - crease.first[k];
-    const double high = box.max()[k] - crease.first[k];
-    if (way[k] == 0) {
-      if (low > 0 || high < 0)
-        return false;
-      continue;
-    }
-    from = std::max(from, std::min(low / way[k], high / way[k]));
-    to = std::min(to, std::max(low / way[k], high / way[k]));
-  }
-  const Eigen::Vector2d start = crease.first;
-  crease = {start + from * way, start + to * way};
-  return from < to;
-}
-
 } // namespace
 
 std::vector<Crease>
@@ -142,13 +122,21 @@ creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tole
       : curve.kind == CurveKind::Cylinder ? cylinderCreases(curve, bounds, tolerance)
                                           : domeCreases(curve, bounds, tolerance);
   const Eigen::Rotation2Dd turn(curve.direction());
-  const Eigen::AlignedBox2d box(bounds.min() - Eigen::Vector2d::Constant(margin),
-                                bounds.max() + Eigen::Vector2d::Constant(margin));
+  const Eigen::Vector2d low = bounds.min() - Eigen::Vector2d::Constant(margin);
+  const Eigen::Vector2d high = bounds.max() + Eigen::Vector2d::Constant(margin);
+  namespace geometry = boost::geometry;
+  using Place = geometry::model::d2::point_xy<double>;
+  const geometry::model::box<Place> box({low.x(), low.y()}, {high.x(), high.y()});
   std::vector<Crease> inside;
   for (const auto& [from, to] : creases) {
-    Crease crease(curve.centre + turn * from, curve.centre + turn * to);
-    if (clip(box, crease))
-      inside.push_back(crease);
+    const Eigen::Vector2d a = curve.centre + turn * from;
+    const Eigen::Vector2d b = curve.centre + turn * to;
+    std::vector<geometry::model::linestring<Place>> parts;
+    geometry::intersection(
+        geometry::model::linestring<Place>{{a.x(), a.y()}, {b.x(), b.y()}}, box, parts);
+    for (const auto& part : parts)
+      inside.emplace_back(Eigen::Vector2d(part.front().x(), part.front().y()),
+                          Eigen::Vector2d(part.back().x(), part.back().y()));
   }
   return inside;
 }

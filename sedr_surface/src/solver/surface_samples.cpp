@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_samples.h"
 
+#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/weighted_quantile.h"
+
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
@@ -77,21 +80,13 @@ widened(const BandGrid& grid)
 // Returns the median spacing by area. Points twice as dense stand for a quarter of the
 // area each. The weight of isolated points is limited.
 double
-medianByArea(std::vector<double> spacings)
+medianByArea(const std::vector<double>& spacings)
 {
-  std::sort(spacings.begin(), spacings.end());
-  const double cap = 2 * spacings[spacings.size() / 2];
-  const auto area = [cap](double spacing) {
-    return std::pow(std::min(spacing, cap), 2);
-  };
-  double total = 0;
+  const double cap = 2 * middleValue(spacings);
+  std::vector<Weighted> weighted;
   for (const double spacing : spacings)
-    total += area(spacing);
-  double passed = 0;
-  for (const double spacing : spacings)
-    if ((passed += area(spacing)) >= total / 2)
-      return spacing;
-  return spacings.back();
+    weighted.emplace_back(spacing, std::pow(std::min(spacing, cap), 2));
+  return weightedQuantile(std::move(weighted), 0.5);
 }
 
 } // namespace

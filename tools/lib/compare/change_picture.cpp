@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "change_picture.h"
 
+#include "sedr_filters/src/plan/plan_segment.h"
+
 #include <map>
 
 namespace pcl::sedr::tools {
@@ -28,12 +30,9 @@ loopsOf(const Floorplan& plan)
     for (std::size_t k = 0; k < room.floor_details.size(); ++k)
       add("_floor_detail_", k, room.floor_details[k].boundary);
   }
-  for (std::size_t k = 0; k < plan.openings.size(); ++k) {
-    PlanElement line;
-    line.start = plan.openings[k].start;
-    line.end = plan.openings[k].end;
-    loops["opening_" + std::to_string(k + 1)] = {{line}};
-  }
+  for (std::size_t k = 0; k < plan.openings.size(); ++k)
+    loops["opening_" + std::to_string(k + 1)] = {
+        {segment(plan.openings[k].start, plan.openings[k].end)}};
   return loops;
 }
 

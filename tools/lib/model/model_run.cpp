@@ -5,7 +5,6 @@
 #include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"
-#include "picture_file.h"
 #include "report.h"
 #include "report/report_page.h"
 #include "run_tool.h"
@@ -161,15 +160,13 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
   const StructureChain& c = chain.getChain();
   saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
   if (with_mesh)
-    writeWhole(folder.file("mesh.ply"), [&](std::ostream& stream) {
-      stream << (c.isMeshMoved() // otherwise no copy is needed
-                     ? meshToPly(c.meshInScanFrame(), originComments(c.origin))
-                     : meshToPly(c.poisson.getMesh(), originComments(c.origin)));
-    });
-  writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
-    stream << documentToJson(
-        {*chain.getFloorplan(), c.origin, c.levelling, chain.getPriors().max_wall});
-  });
+    writeWhole(folder.file("mesh.ply"),
+               c.isMeshMoved() // otherwise no copy is needed
+                   ? meshToPly(c.meshInScanFrame(), originComments(c.origin))
+                   : meshToPly(c.poisson.getMesh(), originComments(c.origin)));
+  writeWhole(folder.file("floorplan.json"),
+             documentToJson({*chain.getFloorplan(), c.origin, c.levelling,
+                             chain.getPriors().max_wall}));
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
     saveSolid(folder.file(name), solid, c.extrusion.getElements(),
@@ -192,8 +189,7 @@ writeBuildingModel(const OutputFolder& folder, Reconstruction& chain)
   IfcSettings ifc;
   ifc.max_wall = chain.getPriors().max_wall;
   const IfcModel model = writeIfc(*chain.getFloorplan(), ifc, chain.getOrigin());
-  writeWhole(folder.file("model.ifc"),
-             [&](std::ostream& stream) { stream << model.text; });
+  writeWhole(folder.file("model.ifc"), model.text);
   auto& warnings = chain.getChain().warnings;
   warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
 }
@@ -216,9 +212,9 @@ void
 writePictures(const OutputFolder& folder, const Reconstruction& chain)
 {
   const StructureChain& c = chain.getChain();
-  savePicture(folder.file(rooms_picture), drawRooms(c.getBuilding()));
-  savePicture(folder.file(plan_picture),
-              drawPlan(*c.plan, c.floorplan_fitting.getBoundaries()));
+  writeWhole(folder.file(rooms_picture), drawRooms(c.getBuilding()).png());
+  writeWhole(folder.file(plan_picture),
+             drawPlan(*c.plan, c.floorplan_fitting.getBoundaries()).png());
 }
 
 /** @brief Writes report.html from the model's files, which must exist.
@@ -286,8 +282,7 @@ makeModel(const ModelSettings& settings,
   record.files.emplace_back("report.json");
   if (settings.report)
     record.files.emplace_back("report.html");
-  writeWhole(folder.file("report.json"),
-             [&](std::ostream& stream) { stream << makeReport(record, chain); });
+  writeWhole(folder.file("report.json"), makeReport(record, chain));
   std::string problem;
   if (settings.report)
     problem = writeReportPage(settings, folder);

@@ -40,19 +40,15 @@ saveSolid(const std::string& path,
   if (hasExtension(path, ".ply")) {
     std::vector<std::string> comments = elementComments(mesh, elements);
     comments.insert(comments.begin(), of_origin.begin(), of_origin.end());
-    writeWhole(path,
-               [&](std::ostream& stream) { stream << meshToPly(mesh, comments); });
+    writeWhole(path, meshToPly(mesh, comments));
     return;
   }
   if (hasExtension(path, ".glb")) {
-    writeWhole(path, [&](std::ostream& stream) {
-      stream << solidToGlb(mesh, elements, storeysOf(plan), origin);
-    });
+    writeWhole(path, solidToGlb(mesh, elements, storeysOf(plan), origin));
     return;
   }
   const auto materials = materialsOf(path);
-  writeWhole(materials.string(),
-             [](std::ostream& stream) { stream << solidMaterials(); });
+  writeWhole(materials.string(), solidMaterials());
   writeWhole(path, [&](std::ostream& stream) {
     for (const std::string& comment : of_origin)
       stream << "# " << comment << '\n';
@@ -99,8 +95,7 @@ saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings se
   auto* const write = hasExtension(sheet.path, ".svg")   ? &floorplanToSvg
                       : hasExtension(sheet.path, ".pdf") ? &floorplanToPdf
                                                          : &floorplanToDxf;
-  writeWhole(sheet.path,
-             [&](std::ostream& stream) { stream << write(plan, settings); });
+  writeWhole(sheet.path, write(plan, settings));
 }
 
 } // namespace pcl::sedr::tools

@@ -2,6 +2,7 @@
 #include "picture.h"
 
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_surface/src/sheet/text_places.h"
 
 #include <algorithm>
@@ -199,11 +200,8 @@ Panel::addPath(const Places& points, Colour colour, double pixels)
   path.look.stroke = colour.number();
   path.look.width = pixels;
   path.chains.emplace_back();
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    path.chains.back().elements.emplace_back();
-    path.chains.back().elements.back().start = points[k - 1];
-    path.chains.back().elements.back().end = points[k];
-  }
+  for (std::size_t k = 1; k < points.size(); ++k)
+    path.chains.back().elements.push_back(segment(points[k - 1], points[k]));
   add(std::move(path), points);
 }
 

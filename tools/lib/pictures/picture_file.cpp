@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
 
-#include "bytes/whole_file.h"
 #include "scan_file.h"
 #include "stage_pictures.h"
 
@@ -12,13 +11,6 @@ PictureFile::check() const
 {
   if (!path.empty())
     checkOutput(path, "a picture", {".png"});
-}
-
-void
-savePicture(const std::string& path, const Picture& picture)
-{
-  const std::string bytes = picture.png();
-  writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
 }
 
 void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bytes/whole_file.h"
 #include "options.h"
 #include "picture.h"
 #include "tool_cloud.h"
@@ -8,10 +9,6 @@
 #include <string>
 
 namespace pcl::sedr::tools {
-
-/** @brief Writes a picture as PNG, completely or not at all. Throws ToolError on
- * failure. */
-void savePicture(const std::string& path, const Picture& picture);
 
 /** @brief The picture that a program is asked for by --picture. */
 struct PictureFile {
@@ -32,7 +29,7 @@ struct PictureFile {
   void write(Draw draw) const
   {
     if (!path.empty())
-      savePicture(path, draw());
+      writeWhole(path, draw().png());
   }
 };
 

@@ -230,10 +230,4 @@ truthOf(const SceneMesh& scene)
   return truth;
 }
 
-TriangleMesh
-truthMesh(const Scene& scene)
-{
-  return truthOf(meshOf(scene));
-}
-
 } // namespace pcl::sedr::sim

@@ -51,10 +51,7 @@ struct SceneMesh {
  * touch in a single point */
 SceneMesh meshOf(const Scene& scene);
 
-/** @brief Returns structure and gaps of meshOf(): the truth. */
-TriangleMesh truthMesh(const Scene& scene);
-
-/** @brief Returns structure and gaps of a mesh. */
+/** @brief Returns structure and gaps of a mesh: the truth. */
 TriangleMesh truthOf(const SceneMesh& scene);
 
 } // namespace pcl::sedr::sim

@@ -276,14 +276,13 @@ writeTruth(const std::filesystem::path& folder,
   const std::string json = truthToJson(scene, truth);
   for (Vec3& vertex : truth.vertices)
     vertex = placed(scene.placement, vertex);
-  tools::writeWhole((folder / "truth.ply").string(), [&](std::ostream& file) {
-    file << meshToPly(
-        truth, {"closed structure of a simulated scene, normals out of the rooms",
-                "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
-                "element: the number of an opening in truth.json, from 1"});
-  });
-  tools::writeWhole((folder / "truth.json").string(),
-                    [&](std::ostream& file) { file << json; });
+  tools::writeWhole(
+      (folder / "truth.ply").string(),
+      meshToPly(truth,
+                {"closed structure of a simulated scene, normals out of the rooms",
+                 "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
+                 "element: the number of an opening in truth.json, from 1"}));
+  tools::writeWhole((folder / "truth.json").string(), json);
   return truth.triangles.size();
 }
 

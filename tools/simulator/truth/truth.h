@@ -13,7 +13,7 @@ namespace pcl::sedr::sim {
  * of the files, metres: see doc/pcl_simulate_indoor_scan.md.
  *
  * Loops, areas and perimeters are exact. Height and volume are those of the mesh.
- * @param truth truthMesh() of the scene
+ * @param truth truthOf() of the scene
  * @throw std::invalid_argument as meshOf() */
 std::string truthToJson(const Scene& scene, const TriangleMesh& truth);
 

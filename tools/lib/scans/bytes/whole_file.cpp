@@ -100,4 +100,10 @@ writeWhole(const std::string& path, const std::function<void(std::ostream&)>& wr
   }
 }
 
+void
+writeWhole(const std::string& path, const std::string& text)
+{
+  writeWhole(path, [&](std::ostream& stream) { stream << text; });
+}
+
 } // namespace pcl::sedr::tools

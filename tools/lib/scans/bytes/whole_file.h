@@ -28,4 +28,7 @@ void checkOutput(const std::string& path,
 void writeWhole(const std::string& path,
                 const std::function<void(std::ostream&)>& write);
 
+/** @brief As above for a text. */
+void writeWhole(const std::string& path, const std::string& text);
+
 } // namespace pcl::sedr::tools
