@@ -4,6 +4,7 @@
 #include "../shapes/shape_fit.h"
 
 #include "../curves/contour.h"
+#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>
@@ -50,6 +51,13 @@ BorderSteps::append(const std::vector<Place>& vertices,
     }
     parts.push_back(std::move(part));
   }
+}
+
+bool
+BorderSteps::isLeftLower(const BorderPart& part, const CrackChain& chain) const
+{
+  return cracks_.facetOf(chain.left).heightAt(part.through) <
+         cracks_.facetOf(chain.right).heightAt(part.through);
 }
 
 /** @brief What a point counts against a facet. */
@@ -125,19 +133,23 @@ BorderSteps::alongWalls(const Place& way) const
 }
 
 /** @brief What speaks for a step at the edges of bins across it, from the right to the
- * left: each cell of points counts once. */
+ * left: sums over what is on the right of each edge. */
 struct BorderSteps::Profile {
   static constexpr double bin = 0.0025; ///< metres
 
   double rightmost;             ///< edge, metres to the left of the cells' border
-  std::vector<double> votes{};  ///< for the left facet, of what is on the right
-  std::vector<double> risers{}; ///< of what is on the right
-  std::vector<double> places{}; ///< across, of the points of risers
+  std::vector<double> votes{};  ///< for the left facet; a cell of points counts once
+  std::vector<double> risers{}; ///< for a riser; a cell of its points counts once
+  std::vector<double> points{}; ///< number of the points of risers
+  std::vector<double> places{}; ///< sum of where they lie across
+  std::vector<double> lower{};  ///< number of the points of the lower facet
 
   double placeAt(std::size_t k) const
   {
     return rightmost + bin * static_cast<double>(k);
   }
+
+  double endOfLower(bool is_left) const;
 };
 
 BorderSteps::Profile
@@ -148,41 +160,75 @@ BorderSteps::profileAcross(const BorderPart& part,
   const SheetGrid& grid = cracks_.sheet.grid;
   Profile profile{-SheetCracks::riser_reach * grid.size};
   const auto bins = static_cast<std::size_t>(-2 * profile.rightmost / Profile::bin) + 1;
-  profile.votes.assign(bins + 1, 0);
-  profile.risers.assign(bins + 1, 0);
+  const auto sums = {&profile.votes, &profile.risers, &profile.points, &profile.places,
+                     &profile.lower};
+  for (auto* sum : sums)
+    sum->assign(bins + 1, 0);
   const std::size_t middle = grid.at(part.through);
   if (middle >= grid.count())
     return profile;
   const Place along(part.normal.y(), -part.normal.x());
+  const std::int32_t lower = isLeftLower(part, chain) ? chain.left : chain.right;
   const auto cell_reach = static_cast<int>(length / grid.size) + 4;
-  const auto forAllNear = [&](const CellPoints& cells, double reach, auto use) {
-    for (const std::size_t cell : cells.window(middle, cell_reach))
+  // At its ends are walls, or what goes round a corner.
+  const double half = std::max(length / 2 - grid.size, length / 4);
+  // Calls use(point, bin, weight): a cell of points for which `counts` counts once.
+  const auto forAllNear = [&](const CellPoints& cells, auto counts, auto use) {
+    for (const std::size_t cell : cells.window(middle, cell_reach)) {
+      const auto size = std::count_if(cells.begin(cell), cells.end(cell), counts);
       for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
         const Place off = p->head<2>() - part.through;
-        const double across = off.dot(part.normal);
-        if (std::abs(off.dot(along)) <= length / 2 &&
-            std::abs(across) < reach * grid.size)
-          use(*p, across,
-              static_cast<std::size_t>((across - profile.rightmost) / Profile::bin) + 1,
-              1.0 / static_cast<double>(cells.end(cell) - cells.begin(cell)));
+        const double across = off.dot(part.normal) - profile.rightmost;
+        if (std::abs(off.dot(along)) <= half && across > 0 &&
+            across < -2 * profile.rightmost)
+          use(*p, static_cast<std::size_t>(across / Profile::bin) + 1,
+              1.0 / static_cast<double>(size));
       }
+    }
   };
-  forAllNear(cells_, SheetCracks::riser_reach,
-             [&](const Eigen::Vector3d& p, double, std::size_t at, double weight) {
-               profile.votes[at] +=
-                   weight * (misfit(chain.right, p) - misfit(chain.left, p));
-             });
-  forAllNear(
-      risers_, SheetCracks::riser_reach,
-      [&](const Eigen::Vector3d& p, double across, std::size_t at, double weight) {
-        if (!isBetween(p, chain))
-          return;
-        profile.risers[at] += misfits * weight;
-        profile.places.push_back(across);
-      });
-  for (auto* sums : {&profile.votes, &profile.risers})
-    std::partial_sum(sums->begin(), sums->end(), sums->begin());
+  const auto all = [](const Eigen::Vector3d&) { return true; };
+  forAllNear(cells_, all, [&](const auto& p, std::size_t at, double weight) {
+    profile.votes[at] += weight * (misfit(chain.right, p) - misfit(chain.left, p));
+  });
+  const auto isOfRiser = [&](const auto& p) { return isBetween(p, chain); };
+  forAllNear(risers_, isOfRiser, [&](const auto& p, std::size_t at, double weight) {
+    if (isOfRiser(p)) {
+      profile.risers[at] += misfits * weight;
+      profile.points[at] += 1;
+      profile.places[at] += (p.template head<2>() - part.through).dot(part.normal);
+    }
+    else if (misfit(lower, p) < misfits)
+      profile.lower[at] += 1;
+  });
+  for (auto* sum : sums)
+    std::partial_sum(sum->begin(), sum->end(), sum->begin());
   return profile;
+}
+
+/** @brief Where the points of the lower facet get rare, which lies on the left of it or
+ * on the right: the place of most likelihood if a point beyond it counts as a misfit.
+ */
+double
+BorderSteps::Profile::endOfLower(bool is_left) const
+{
+  constexpr std::size_t width = 16; // bins
+  std::vector<double> densities;    // points a bin
+  for (std::size_t k = width; k < lower.size(); ++k)
+    if (lower[k] > lower[k - width])
+      densities.push_back((lower[k] - lower[k - width]) / width);
+  if (densities.empty())
+    return 0;
+  const double missing =
+      (1 - std::exp(-misfits / 2)) * middleValue(std::move(densities));
+  const auto costAt = [&](std::size_t k) {
+    const double cost = lower[k] * misfits / 2 - missing * static_cast<double>(k);
+    return is_left ? cost : -cost;
+  };
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < lower.size(); ++k)
+    if (costAt(k) < costAt(best))
+      best = k;
+  return placeAt(best);
 }
 
 /** @brief How far to the left of where its cells say a step lies: where most of its
@@ -194,14 +240,18 @@ BorderSteps::bestShift(const BorderPart& part,
                        double length,
                        const CrackChain& chain) const
 {
-  constexpr double to_edge = 0.0125; // metres: of a voxel that an edge cuts
-  constexpr std::ptrdiff_t min_points = 30;
-  Profile profile = profileAcross(part, length, chain);
+  constexpr double min_points = 30; // of a riser: a few are noise of the higher facet
+  const Profile profile = profileAcross(part, length, chain);
   const std::size_t bins = profile.votes.size() - 1;
   const auto width = static_cast<std::size_t>(2 * deviation_ / Profile::bin) + 1;
+  const auto around = [&](const std::vector<double>& sums, std::size_t k) {
+    return sums[std::min(bins, k + width)] - sums[k > width ? k - width : 0];
+  };
+  const auto hasRiser = [&](std::size_t k) {
+    return around(profile.points, k) >= min_points;
+  };
   const auto gainAt = [&](std::size_t k) {
-    return profile.risers[std::min(bins, k + width)] -
-           profile.risers[k > width ? k - width : 0] - 2 * profile.votes[k];
+    return (hasRiser(k) ? around(profile.risers, k) : 0) - 2 * profile.votes[k];
   };
   std::size_t first = 0; // of the best places, and the last of them
   for (std::size_t k = 1; k <= bins; ++k)
@@ -210,20 +260,15 @@ BorderSteps::bestShift(const BorderPart& part,
   std::size_t last = first;
   while (last < bins && gainAt(last + 1) > gainAt(first) - 1e-9)
     ++last;
+  const std::size_t middle = (first + last) / 2;
+  if (hasRiser(middle))
+    return around(profile.places, middle) / around(profile.points, middle);
   const double low = profile.placeAt(first);
   const double high = profile.placeAt(last);
-  const double middle = (low + high) / 2;
-  const auto begin = profile.places.begin();
-  const auto end = std::partition(begin, profile.places.end(), [&](double across) {
-    return std::abs(across - middle) < 2 * deviation_;
-  });
-  if (end - begin >= min_points)
-    return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
-  const bool is_left_lower = cracks_.facetOf(chain.left).heightAt(part.through) <
-                             cracks_.facetOf(chain.right).heightAt(part.through);
+  const bool is_left_lower = isLeftLower(part, chain);
   if (high - low > cracks_.cellSize() && (is_left_lower ? last < bins : first > 0))
-    return is_left_lower ? high - to_edge : low + to_edge;
-  return first > 0 && last < bins ? middle : 0; // else points of one side only
+    return profile.endOfLower(is_left_lower);
+  return first > 0 && last < bins ? (low + high) / 2 : 0; // else points of one side
 }
 
 namespace {

@@ -44,6 +44,7 @@ public:
 private:
   double misfit(std::int32_t piece, const Eigen::Vector3d& p) const;
   bool isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const;
+  bool isLeftLower(const BorderPart& part, const CrackChain& chain) const;
   Eigen::Vector2d alongWalls(const Eigen::Vector2d& way) const;
   struct Profile;
   Profile

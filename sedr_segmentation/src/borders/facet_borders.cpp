@@ -87,42 +87,6 @@ jointOf(const BorderPart& before, const BorderPart& after, const SheetCracks& cr
                    2 * SheetCracks::reach * cracks.cellSize());
 }
 
-/** @brief Adds the places of a curved border from one to another. */
-void
-addBetween(const Place& from,
-           const Place& to,
-           const std::vector<BorderPart>& parts,
-           int depth,
-           std::vector<Place>& line)
-{
-  constexpr int deepest = 7;
-  const Place middle = (from + to) / 2;
-  const double length = (to - from).norm();
-  for (const BorderPart& part : parts) {
-    if (depth >= deepest || !part.meets() || length < border_tolerance ||
-        std::abs(part.sideOf(from).first) > border_tolerance ||
-        std::abs(part.sideOf(to).first) > border_tolerance)
-      continue;
-    const auto place = part.project(middle, length / 2);
-    if (!place || (*place - middle).norm() < border_tolerance / 2)
-      continue;
-    addBetween(from, *place, parts, depth + 1, line);
-    addBetween(*place, to, parts, depth + 1, line);
-    return;
-  }
-  line.push_back(to);
-}
-
-/** @brief A line as exact as its parts are, of as few corners as that takes. */
-std::vector<Place>
-refined(const std::vector<Place>& line, const std::vector<BorderPart>& parts)
-{
-  std::vector<Place> exact{line.front()};
-  for (std::size_t k = 1; k < line.size(); ++k)
-    addBetween(line[k - 1], line[k], parts, 0, exact);
-  return simplifiedLine(exact, border_tolerance);
-}
-
 /** @brief Puts the parts of each chain together to one line. */
 class BorderLines {
 public:
@@ -158,7 +122,7 @@ public:
           endOf(vertices.back(), parts.back(), parts.back().samples.back());
       line.insert(line.end(), end.rbegin(), end.rend());
     }
-    return refined(line, parts);
+    return simplifiedLine(line, border_tolerance);
   }
 
 private:

@@ -23,7 +23,7 @@ void giveCeiling(const FacetSheet& sheet,
                  bool is_floor = false);
 
 /** @brief The points of a scan between the heights of two facets, near where these may
- * step, and off the walls: most are of the riser between them.
+ * step, and off the walls: of the riser between them, and of the lower one.
  * @param indices those of the scan's points that count; empty: all. O(n). */
 std::vector<Eigen::Vector3d> pointsOfRisers(const FacetSheet& sheet,
                                             const PointView& scan,

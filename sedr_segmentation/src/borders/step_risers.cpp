@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../sheets/shape_proposals.h"
+#include "../surface/riser_bins.h"
 #include "sheet_cracks.h"
 #include "sheet_plan.h"
 
@@ -15,9 +17,8 @@ namespace {
 std::pair<double, double>
 heightsAbout(const FacetSheet& sheet, std::size_t cell)
 {
-  constexpr int to_wall = 2; // cells
   bool is_inside = true;
-  if (!sheet.grid.forAllWithin(cell, to_wall,
+  if (!sheet.grid.forAllWithin(cell, RiserBins::to_wall,
                                [&](std::size_t near) {
                                  is_inside = is_inside && sheet.is_inside[near] != 0;
                                }) ||
@@ -48,10 +49,11 @@ pointsOfRisers(const FacetSheet& sheet,
   std::vector<std::pair<double, double>> heights(sheet.grid.count());
   for (std::size_t cell = 0; cell < heights.size(); ++cell)
     heights[cell] = heightsAbout(sheet, cell);
+  const double margin = facet_band * sheet.noise;
   std::vector<Eigen::Vector3d> points;
   forAllOver(sheet.grid, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
-               if (p.z() > heights[cell].first && p.z() < heights[cell].second)
+               if (p.z() > heights[cell].first - margin && p.z() < heights[cell].second)
                  points.push_back(p);
              });
   return points;

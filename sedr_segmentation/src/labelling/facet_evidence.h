@@ -21,11 +21,26 @@ struct FacetEvidence {
   const RiserBins* risers = nullptr; ///< null: not known
 
   /** @brief What a metre of border between two cells costs for what was seen of a riser
-   * there: the share of the step that none closes, of which noise leaves some. */
-  double openShare(std::size_t cell, std::size_t next, double low, double high) const
+   * there: the share of the step that none closes, of which noise leaves some. Where
+   * only the near cell was seen, not that of the farther facet, it hides the riser. */
+  double openShare(std::size_t near, std::size_t beyond, double low, double high) const
   {
     constexpr double least = 0.2;
-    return risers ? std::max(least, 1 - risers->share(cell, next, low, high)) : 1;
+    if (!risers)
+      return 1;
+    return cells.isEmpty(beyond) && !cells.isEmpty(near)
+               ? least
+               : std::max(least, 1 - risers->share(near, beyond, low, high));
+  }
+
+  /** @brief Whether points were seen in a cell a step or more behind a height: below it
+   * if it is a floor's, above it if it is a ceiling's. */
+  bool isSeenBeyond(std::size_t cell, double height) const
+  {
+    return risers &&
+           (parameters.is_floor
+                ? risers->isSeen(cell, -HUGE_VAL, height - RiserBins::min_step)
+                : risers->isSeen(cell, height + RiserBins::min_step, HUGE_VAL));
   }
 
   /** @brief What a cell with points counts for: its share of a patch. */

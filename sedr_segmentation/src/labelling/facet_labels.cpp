@@ -82,7 +82,10 @@ public:
     const double other_height = (static_cast<double>(b[cell]) + b[next]) / 2;
     const auto& [low, high] = std::minmax(one_height, other_height);
     const double step = high - low;
-    return cells_.grid().size * evidence_.openShare(cell, next, low, high) *
+    const bool is_beyond = (one_height > other_height) != parameters_.is_floor;
+    return cells_.grid().size *
+           (is_beyond ? evidence_.openShare(next, cell, low, high)
+                      : evidence_.openShare(cell, next, low, high)) *
            (parameters_.crease +
             parameters_.step * std::min(1.0, step / parameters_.full_step));
   }
@@ -115,15 +118,12 @@ costOfPoints(std::size_t cell, const FacetEvidence& evidence, DistanceAt distanc
   return static_cast<float>(evidence.weight() * sum / static_cast<double>(end - begin));
 }
 
-/** @brief What a floor costs in a cell that shows none of it: it lies below what was
- * seen there. */
+/** @brief What a facet costs in a cell that shows none of it: a floor lies below what
+ * was seen there, a ceiling above it. */
 float
 costOfUnseen(std::size_t cell, double height, const FacetEvidence& evidence)
 {
-  return evidence.parameters.is_floor && evidence.risers &&
-                 evidence.risers->isBelow(cell, height)
-             ? evidence.outlier()
-             : 0;
+  return evidence.isSeenBeyond(cell, height) ? evidence.outlier() : 0;
 }
 
 /** @brief The distance from the middle of a cell's points beyond which all of them are
@@ -207,8 +207,13 @@ costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
       if (cells.isEmpty(cell))
         costs.cost[cell] = costOfUnseen(cell, costs.height[cell], evidence);
     }
-  forAllSeen(facet, evidence,
-             [&](std::size_t cell, float cost) { costs.cost[cell] = cost; });
+  forAllSeen(facet, evidence, [&](std::size_t cell, float cost) {
+    costs.cost[cell] = cost;
+    // A wall's points are none of the facet's, but end where the ceiling is.
+    if (evidence.risers && evidence.risers->isAtWall(cell) &&
+        !evidence.isExplained(cost))
+      costs.cost[cell] += costOfUnseen(cell, costs.height[cell], evidence);
+  });
   return costs;
 }
 

@@ -217,7 +217,9 @@ floorPoints(const PointView& points,
   const auto [low, high] =
       std::minmax_element(places.begin(), places.end(),
                           [](const auto& a, const auto& b) { return a.z() < b.z(); });
-  const FloorPieces pieces(surface, RiserBins(grid, all, low->z(), high->z()),
+  const FloorPieces pieces(surface,
+                           RiserBins(grid, std::vector<std::uint8_t>(grid.count(), 1),
+                                     all, low->z(), high->z()),
                            floor_seen, highest, main, priors);
   floor.clear();
   for (const int i : ends) {

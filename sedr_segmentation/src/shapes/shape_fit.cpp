@@ -53,13 +53,6 @@ takeStep(ShapeKind kind,
   return c.isFinite();
 }
 
-double
-biweight(double share)
-{
-  const double rest = 1 - share * share;
-  return std::abs(share) < 1 ? rest * rest : 0;
-}
-
 /** @brief Returns Tukey's cost of all distances. Summing stops when `most` is reached;
  * the sum so far is returned then. */
 double
@@ -160,7 +153,7 @@ distanceOf(const PlanSlab& slab, const Eigen::Vector3d& p)
                     : slab.plane.head<3>().dot(p) + slab.plane[3];
 }
 
-double
+void
 refineShape(ShapeKind kind,
             const std::vector<Eigen::Vector3d>& points,
             double deviation,
@@ -171,7 +164,7 @@ refineShape(ShapeKind kind,
   constexpr double cut = 4.7; // of Tukey's biweight, standard deviations
   const double band = cut * deviation;
   if (points.empty() || (!isFlat(kind) && !slab.curve))
-    return infinity;
+    return;
   const Eigen::Vector3d about = meanOf(points);
   if (slab.curve && slab.curve->kind == CurveKind::Cylinder) {
     SlabCurve c = *slab.curve; // has its centre anywhere along its axis
@@ -204,15 +197,6 @@ refineShape(ShapeKind kind,
     if (!is_better || gain < settled * cost)
       break;
   }
-  double sum = 0;
-  double weights = 0;
-  for (const Eigen::Vector3d& p : points) {
-    const double distance = distanceOf(slab, p);
-    const double weight = biweight(distance / band);
-    sum += weight * distance * distance;
-    weights += weight;
-  }
-  return weights > 0 ? std::sqrt(sum / weights) : infinity;
 }
 
 } // namespace pcl::sedr

@@ -62,13 +62,11 @@ PlanSlab startShape(ShapeKind kind,
 /** @brief Least squares of distances by Tukey's biweight: what is farther than 4.7
  * `deviation` counts for nothing. Gauss and Newton's way, damped.
  * @param[in,out] slab of the kind; where the fit fails it stays
- * @param settled share of the costs by which the last step lowers them
- * @return the root mean square distance of what counts, metres; infinite where there is
- * none */
-double refineShape(ShapeKind kind,
-                   const std::vector<Eigen::Vector3d>& points,
-                   double deviation,
-                   PlanSlab& slab,
-                   double settled = 1e-6);
+ * @param settled share of the costs by which the last step lowers them */
+void refineShape(ShapeKind kind,
+                 const std::vector<Eigen::Vector3d>& points,
+                 double deviation,
+                 PlanSlab& slab,
+                 double settled = 1e-6);
 
 } // namespace pcl::sedr

@@ -62,6 +62,20 @@ grownCells(const PlanSlab& slab,
   return grown;
 }
 
+/** @brief Whether a shape explains most cells of a window, each by half of its points.
+ */
+bool
+explainsMost(const PlanSlab& slab,
+             const FacetEvidence& evidence,
+             const std::vector<std::size_t>& window)
+{
+  constexpr double min_share = 0.6;
+  const auto count = std::count_if(window.begin(), window.end(), [&](auto cell) {
+    return explainsCell(slab, evidence.cells, cell, evidence.deviation);
+  });
+  return static_cast<double>(count) >= min_share * static_cast<double>(window.size());
+}
+
 /** @brief Appends the shape that grows from one window, if any does. */
 void
 growFrom(std::size_t seed,
@@ -70,7 +84,6 @@ growFrom(std::size_t seed,
          const FacetEvidence& evidence,
          std::vector<FacetProposal>& found)
 {
-  constexpr double min_share = 0.6;
   constexpr int rounds = 3;
   const CellPoints& cells = evidence.cells;
   const std::vector<std::size_t> window = cells.window(seed, reach);
@@ -80,7 +93,7 @@ growFrom(std::size_t seed,
   FacetProposal facet = fitFacet(kind, evidence, window, few_points);
   for (int round = 0; round < rounds; ++round) {
     if (!isBuilt(facet, evidence.parameters) ||
-        shareExplained(facet, evidence, window) < min_share)
+        !explainsMost(facet.slab, evidence, window))
       return;
     std::vector<std::size_t> grown =
         grownCells(facet.slab, cells, seed, evidence.deviation);
@@ -160,18 +173,6 @@ isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
   return isRadius(c.across) && isRadius(c.up) && c.up <= max_rise * c.across &&
          (c.kind == CurveKind::Cylinder ||
           (isRadius(c.along) && c.up <= max_rise * c.along));
-}
-
-double
-shareExplained(const FacetProposal& facet,
-               const FacetEvidence& evidence,
-               const std::vector<std::size_t>& among)
-{
-  const auto explained =
-      std::count_if(among.begin(), among.end(), [&](std::size_t cell) {
-        return explainsCell(facet.slab, evidence.cells, cell, evidence.deviation);
-      });
-  return static_cast<double>(explained) / static_cast<double>(among.size());
 }
 
 FacetProposal
@@ -275,6 +276,8 @@ proposeLevels(const FacetEvidence& evidence)
     std::vector<std::size_t> own;
     for (std::size_t k = first; k < first + count; ++k)
       own.push_back(heights[k].second);
+    heights.erase(heights.begin() + static_cast<std::ptrdiff_t>(first),
+                  heights.begin() + static_cast<std::ptrdiff_t>(first + count));
     std::sort(own.begin(), own.end());
     FacetProposal level = fitFacet(ShapeKind::Level, evidence, std::move(own));
     level.cells = flatCells(level.slab, evidence);
@@ -297,16 +300,12 @@ std::vector<FacetProposal>
 proposeFacets(const FacetEvidence& evidence)
 {
   std::vector<FacetProposal> all = proposeLevels(evidence);
-  const std::size_t levels = all.size();
   for (const int reach : {3, 1}) // cells
     growFromSeeds(evidence, ShapeKind::Plane, reach, all);
   std::vector<FacetProposal> flat = all; // other shapes are looked for elsewhere
-  for (std::size_t k = levels; k < flat.size(); ++k) {
-    // A level plane is one number only, and worth it where a tilted one is not.
-    if (isLevel(flat[k].slab))
-      all.push_back(fitFacet(ShapeKind::Level, evidence, flat[k].cells));
-    flat[k].cells = flatCells(flat[k].slab, evidence);
-  }
+  for (FacetProposal& plane : flat)
+    if (plane.kind == ShapeKind::Plane)
+      plane.cells = flatCells(plane.slab, evidence);
   if (evidence.parameters.is_floor)
     return all;
   constexpr ShapeKind curves[] = {ShapeKind::Cylinder, ShapeKind::Sphere};

@@ -22,12 +22,6 @@ struct FacetProposal {
  */
 bool isBuilt(const FacetProposal& facet, const SheetParameters& parameters);
 
-/** @brief The share of some cells of which a shape explains at least half of the
- * points. */
-double shareExplained(const FacetProposal& facet,
-                      const FacetEvidence& evidence,
-                      const std::vector<std::size_t>& among);
-
 /** @brief Fits a shape of a kind to some cells, to no more than about `max_points` of
  * their points. */
 FacetProposal fitFacet(ShapeKind kind,

@@ -4,6 +4,8 @@
 #include "sheet_fit.h"
 #include "sheet_pieces.h"
 
+#include "../surface/cell_pieces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,66 +17,24 @@ namespace {
 
 constexpr double coarsest_cell = 0.15; ///< metres: in larger ones much is beside a step
 
-/** @brief Gives cells without a label that of the nearest one with, by steps. */
+/** @brief Gives a sheet its facets, and to curves the planes that stand for them. */
 void
-fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
-{
-  std::vector<std::size_t> front;
-  for (std::size_t cell = 0; cell < label.size(); ++cell)
-    if (label[cell] != FacetSheet::none)
-      front.push_back(cell);
-  while (!front.empty()) {
-    std::vector<std::size_t> next;
-    for (const std::size_t cell : front)
-      grid.forAllSides(cell, [&](std::size_t beside) {
-        if (label[beside] != FacetSheet::none)
-          return;
-        label[beside] = label[cell];
-        next.push_back(beside);
-      });
-    front = std::move(next);
-  }
-}
-
-/** @brief Gives a sheet its facets, fitted to all points, and what is known of them:
- * the points that they explain, and the planes that stand for curves. */
-void
-takeFacets(const CellPoints& cells,
-           FacetChoice choice,
-           double deviation,
-           const SheetParameters& parameters,
-           FacetSheet& sheet)
+takeFacets(const CellPoints& cells, FacetChoice choice, FacetSheet& sheet)
 {
   constexpr std::size_t max_points = 5000;
   std::vector<std::vector<std::size_t>> own(choice.facets.size());
-  for (std::size_t cell = 0; cell < sheet.label.size(); ++cell)
-    if (cells.isInside(cell) && !cells.isEmpty(cell))
-      own[static_cast<std::size_t>(sheet.label[cell])].push_back(cell);
+  for (const std::size_t cell : cells.seen())
+    own[static_cast<std::size_t>(sheet.label[cell])].push_back(cell);
   for (std::size_t k = 0; k < choice.facets.size(); ++k) {
     PlanSlab& slab = choice.facets[k].slab;
     const auto points = cells.pointsOf(own[k], max_points);
-    if (!isRelief(slab)) {
-      FacetProposal refined = choice.facets[k];
-      refineShape(refined.kind, points, deviation, refined.slab);
-      if (isBuilt(refined, parameters))
-        slab = refined.slab;
-    }
+    slab.inliers = points.size();
+    slab.residual = sheet.noise;
     if (slab.curve && !points.empty()) {
       slab.plane = fitPlane(points).plane;
       if (!(slab.plane[2] >= min_upward))
         slab.plane = planeThrough(meanOf(points), Eigen::Vector2d::Zero()).plane;
     }
-    double sum = 0;
-    for (const std::size_t cell : own[k])
-      for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
-        const double distance = distanceOf(slab, *p);
-        if (std::abs(distance) >= facet_band * deviation)
-          continue;
-        ++slab.inliers;
-        sum += distance * distance;
-      }
-    slab.residual =
-        slab.inliers > 0 ? std::sqrt(sum / static_cast<double>(slab.inliers)) : 0;
     sheet.facets.push_back(std::move(slab));
   }
 }
@@ -124,7 +84,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   const double deviation = std::hypot(sheet.noise, parameters.unevenness);
   std::optional<RiserBins> risers;
   if (!around.empty() && grid.size <= coarsest_cell)
-    risers.emplace(grid, around, cells.lowest(), cells.highest());
+    risers.emplace(grid, domain, around, cells.lowest(), cells.highest());
   const FacetEvidence evidence{cells, directions, deviation, parameters,
                                risers ? &*risers : nullptr};
   FacetChoice choice = chooseFacets(evidence, proposeFacets(evidence));
@@ -154,8 +114,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     const auto facet = static_cast<std::size_t>(sheet.label[cell]);
     sheet.is_seen[cell] = evidence.isExplained(choice.costs[facet].cost[cell]) ? 1 : 0;
   }
-  takeFacets(CellPoints(sheet.grid, sheet.is_inside, points), std::move(choice),
-             deviation, parameters, sheet);
+  takeFacets(cells, std::move(choice), sheet);
   return sheet;
 }
 

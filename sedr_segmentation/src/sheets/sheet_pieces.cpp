@@ -29,6 +29,7 @@ struct Piece {
   double step = 0;   ///< sum of how much higher the facets beside it are, metres
   double sides = 0;  ///< beside other facets
   std::map<std::int32_t, double> beside; ///< facet, what it costs in the piece
+  double gain = 0; ///< what the piece costs less than the best of those would
 };
 
 class Pieces {
@@ -61,9 +62,7 @@ public:
       const Piece piece = describe(std::move(pieces[k]));
       if (k + 1 < pieces.size() ? isBuiltSo(piece) : isLargeEnough(piece))
         continue;
-      const auto best = std::min_element(
-          piece.beside.begin(), piece.beside.end(),
-          [](const auto& a, const auto& b) { return a.second < b.second; });
+      const auto best = bestBeside(piece);
       for (const std::size_t cell : piece.cells)
         label_[cell] = best == piece.beside.end() ? FacetSheet::none : best->first;
     }
@@ -182,10 +181,16 @@ private:
           return;
         const double height = heightOf(own, cell);
         const bool is_wall = other == FacetSheet::none;
-        if (is_wall &&
-            (parameters_.is_floor || !isLevelFacet(choice_, own) ||
-             !isLevelFacet(choice_, main_) || height < heightOf(main_, cell)))
+        if (is_wall && (parameters_.is_floor || !isLevelFacet(choice_, own) ||
+                        !isLevelFacet(choice_, main_)))
           return;
+        if (is_wall && height < heightOf(main_, cell)) { // which goes on above a shelf
+          piece.border += evidence_.isSeenBeyond(cell, height) ||
+                                  evidence_.isSeenBeyond(next, height)
+                              ? 1
+                              : 0;
+          return;
+        }
         const double beside = heightOf(is_wall ? main_ : other, cell);
         const bool is_closed = isClosed(cell, next, height, beside) ||
                                (!is_wall && isCrease(cell, next, own, other));
@@ -200,9 +205,25 @@ private:
         piece.closed += is_closed ? 1 : 0;
       });
     for (auto& [other, cost] : piece.beside)
-      for (const std::size_t cell : piece.cells)
-        cost += choice_.costs[static_cast<std::size_t>(other)].cost[cell];
+      cost = costOver(other, piece.cells);
+    if (const auto best = bestBeside(piece); best != piece.beside.end())
+      piece.gain = best->second - costOver(own, piece.cells);
     return piece;
+  }
+
+  double costOver(std::int32_t facet, const std::vector<std::size_t>& cells) const
+  {
+    double sum = 0;
+    for (const std::size_t cell : cells)
+      sum += choice_.costs[static_cast<std::size_t>(facet)].cost[cell];
+    return sum;
+  }
+
+  static std::map<std::int32_t, double>::const_iterator bestBeside(const Piece& piece)
+  {
+    return std::min_element(
+        piece.beside.begin(), piece.beside.end(),
+        [](const auto& a, const auto& b) { return a.second < b.second; });
   }
 
   double areaOf(const Piece& piece) const
@@ -232,7 +253,12 @@ private:
 
   bool isBuiltSo(const Piece& piece) const
   {
-    if (!isLargeEnough(piece) || (evidence_.risers && 2 * piece.closed < piece.border))
+    // What is deeper behind an open border does not hang: its risers were not seen.
+    constexpr double depth = 1; // metres
+    const double open = (piece.border - 2 * piece.closed) * grid_.size;
+    const double patch = parameters_.patch * parameters_.patch;
+    if (!isLargeEnough(piece) ||
+        (evidence_.risers && piece.gain * patch < open * depth * parameters_.outlier))
       return false;
     if (!isLevelFacet(choice_, main_) ||
         !isLevelFacet(choice_, label_[piece.cells.front()]))

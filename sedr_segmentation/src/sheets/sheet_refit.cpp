@@ -25,6 +25,17 @@ kindOf(const PlanSlab& slab)
   return slab.curve->isSphere() ? ShapeKind::Sphere : ShapeKind::Ellipsoid;
 }
 
+/** @brief The standard deviation of most points about a facet. */
+double
+noiseAbout(const PlanSlab& facet, const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double of_median = 1.4826;
+  std::vector<double> off;
+  for (const Eigen::Vector3d& p : points)
+    off.push_back(std::abs(distanceOf(facet, p)));
+  return of_median * middleValue(std::move(off));
+}
+
 /** @brief The cells that lie within their facet, away from the walls. */
 std::vector<std::uint8_t>
 cellsWithinFacets(const FacetSheet& sheet)
@@ -88,18 +99,15 @@ refitToScan(FacetSheet& sheet,
     PlanSlab& facet = sheet.facets[f];
     if (points[f].size() < min_points || isRelief(facet))
       continue;
-    std::vector<double> off;
-    for (const Eigen::Vector3d& p : points[f])
-      off.push_back(std::abs(distanceOf(facet, p)));
-    constexpr double of_median = 1.4826;
-    const double noise = of_median * middleValue(std::move(off));
     FacetProposal refined{kindOf(facet), facet, {}};
-    refined.slab.residual =
-        refineShape(refined.kind, points[f], std::hypot(noise, parameters.unevenness),
-                    refined.slab);
-    refined.slab.inliers = points[f].size();
-    if (isBuilt(refined, parameters))
-      facet = refined.slab;
+    refineShape(refined.kind, points[f],
+                std::hypot(noiseAbout(facet, points[f]), parameters.unevenness),
+                refined.slab);
+    if (!isBuilt(refined, parameters))
+      continue;
+    facet = refined.slab;
+    facet.residual = noiseAbout(facet, points[f]);
+    facet.inliers = points[f].size();
   }
 }
 

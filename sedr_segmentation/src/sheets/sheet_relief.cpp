@@ -3,47 +3,11 @@
 
 #include "../surface/cell_pieces.h"
 
-#include "sedr_filters/src/base/middle_value.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pcl::sedr {
-
-namespace {
-
-/** @brief Gives heights that are not known the mean of those around, from the known
- * ones outwards. */
-void
-spread(SlabCurve& relief)
-{
-  SheetGrid grid;
-  grid.columns = static_cast<int>(relief.columns);
-  grid.rows = static_cast<int>(relief.rows());
-  for (bool has_changed = true; has_changed;) {
-    has_changed = false;
-    std::vector<double> next = relief.heights;
-    for (std::size_t place = 0; place < next.size(); ++place) {
-      double sum = 0;
-      int count = 0;
-      grid.forAllWithin(place, 1, [&](std::size_t near) {
-        if (!std::isfinite(relief.heights[near]))
-          return;
-        sum += relief.heights[near];
-        ++count;
-      });
-      if (count == 0 || std::isfinite(relief.heights[place]))
-        continue;
-      next[place] = sum / count;
-      has_changed = true;
-    }
-    relief.heights = std::move(next);
-  }
-}
-
-} // namespace
 
 PlanSlab
 reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
@@ -61,8 +25,8 @@ reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
   const Eigen::Vector2d extent = box.sizes() / spacing;
   relief.columns = static_cast<std::size_t>(extent.x()) + 4;
   const auto rows = static_cast<std::size_t>(extent.y()) + 4;
-  relief.heights.assign(relief.columns * rows,
-                        std::numeric_limits<double>::quiet_NaN());
+  relief.heights.assign(relief.columns * rows, 0);
+  std::vector<std::int32_t> known(relief.heights.size(), FacetSheet::none);
   std::vector<std::vector<Eigen::Vector3d>> near(relief.heights.size());
   for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector2d at = (p.head<2>() - relief.centre) / spacing;
@@ -84,9 +48,15 @@ reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
         std::minmax_element(near[k].begin(), near[k].end(),
                             [](const auto& a, const auto& b) { return a.z() < b.z(); });
     relief.heights[k] = std::clamp(plane.heightAt(place), low->z(), high->z());
+    known[k] = static_cast<std::int32_t>(k);
   }
-  spread(relief);
-  if (relief.isFinite())
+  SheetGrid grid;
+  grid.columns = static_cast<int>(relief.columns);
+  grid.rows = static_cast<int>(rows);
+  fillNearest(grid, known);
+  for (std::size_t k = 0; k < known.size() && known[k] >= 0; ++k)
+    relief.heights[k] = relief.heights[static_cast<std::size_t>(known[k])];
+  if (known.front() >= 0)
     slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
   return slab;
 }

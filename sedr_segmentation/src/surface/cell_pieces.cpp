@@ -38,4 +38,20 @@ piecesOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
   return pieces;
 }
 
+void
+fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
+{
+  std::vector<std::size_t> front;
+  for (std::size_t cell = 0; cell < label.size(); ++cell)
+    if (label[cell] >= 0)
+      front.push_back(cell);
+  for (std::size_t k = 0; k < front.size(); ++k)
+    grid.forAllSides(front[k], [&](std::size_t beside) {
+      if (label[beside] >= 0)
+        return;
+      label[beside] = label[front[k]];
+      front.push_back(beside);
+    });
+}
+
 } // namespace pcl::sedr

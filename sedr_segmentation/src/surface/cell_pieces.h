@@ -17,4 +17,7 @@ std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
 std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
                                                const std::vector<std::int32_t>& label);
 
+/** @brief Gives cells whose label is below 0 that of the nearest one with, by steps. */
+void fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label);
+
 } // namespace pcl::sedr

@@ -108,18 +108,13 @@ CellPoints::noise() const
       sum += std::pow(distanceOf(plane, p), 2);
     deviations.push_back(std::sqrt(sum / static_cast<double>(near.size() - 3)));
   }
-  return std::max(least, typicalDeviation(std::move(deviations)));
-}
-
-double
-typicalDeviation(std::vector<double> deviations)
-{
   if (deviations.empty())
-    return 0;
+    return least;
+  // Many patches may lie on creases, steps and lamps.
   const auto typical =
       deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 3);
   std::nth_element(deviations.begin(), typical, deviations.end());
-  return *typical;
+  return std::max(least, *typical);
 }
 
 } // namespace pcl::sedr

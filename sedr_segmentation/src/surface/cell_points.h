@@ -73,8 +73,8 @@ public:
   /** @brief Cells with points, at most `reach` cells from one. */
   std::vector<std::size_t> window(std::size_t cell, int reach) const;
 
-  /** @brief Standard deviation of the points about smooth patches of 3 x 3 cells: that
-   * of the middle one of all patches, metres, at least 0.1 mm. */
+  /** @brief Standard deviation of the points about smooth patches of 3 x 3 cells, of
+   * which a third have less, metres, at least 0.1 mm. */
   double noise() const;
 
 private:
@@ -89,9 +89,5 @@ private:
   std::vector<PointRow> middles_;
   std::vector<PointRow> rows_;
 };
-
-/** @brief The noise that the deviations of patches from smooth surfaces tell, of which
- * many may lie on creases, steps and lamps: a third of them have less. 0 if empty. */
-double typicalDeviation(std::vector<double> deviations);
 
 } // namespace pcl::sedr

@@ -8,6 +8,7 @@
 namespace pcl::sedr {
 
 RiserBins::RiserBins(const SheetGrid& grid,
+                     const std::vector<std::uint8_t>& domain,
                      const std::vector<Eigen::Vector3d>& points,
                      double low,
                      double high)
@@ -20,9 +21,20 @@ RiserBins::RiserBins(const SheetGrid& grid,
     if (const std::size_t cell = grid.at(p.head<2>());
         cell < own_.size() && p.z() >= low && p.z() <= high)
       own_[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
-  seen_ = own_;
+  is_at_wall_.assign(grid.count(), 0);
   for (std::size_t cell = 0; cell < own_.size(); ++cell)
-    grid.forAllSides(cell, [&](std::size_t next) { seen_[cell] |= own_[next]; });
+    grid.forAllWithin(cell, to_wall, [&](std::size_t next) {
+      is_at_wall_[cell] = is_at_wall_[cell] | !domain[next];
+    });
+  seen_.assign(grid.count(), 0);
+  for (std::size_t cell = 0; cell < own_.size(); ++cell) {
+    const auto add = [&](std::size_t near) {
+      if (!domain[cell] || !is_at_wall_[near])
+        seen_[cell] |= own_[near];
+    };
+    add(cell);
+    grid.forAllSides(cell, add);
+  }
 }
 
 double
@@ -44,11 +56,14 @@ RiserBins::share(std::size_t cell, std::size_t next, double low, double high) co
 }
 
 bool
-RiserBins::isBelow(std::size_t cell, double height) const
+RiserBins::isSeen(std::size_t cell, double low, double high) const
 {
-  const double end = std::floor((height - min_step - bottom_) / bin_);
-  const auto bins = static_cast<int>(std::clamp(end, 0.0, 64.0));
-  return bins > 0 && (own_[cell] & (~std::uint64_t{0} >> (64 - bins))) != 0;
+  const auto from =
+      static_cast<int>(std::clamp(std::ceil((low - bottom_) / bin_), 0.0, 64.0));
+  const auto to =
+      static_cast<int>(std::clamp(std::floor((high - bottom_) / bin_), 0.0, 64.0));
+  return from < to &&
+         (own_[cell] & (~std::uint64_t{0} >> (64 - to + from)) << from) != 0;
 }
 
 } // namespace pcl::sedr

@@ -83,7 +83,12 @@ inline PlanRoom
 fittedRoom(const Scene& scene)
 {
   PlanRoom room = scene.room;
-  giveCeiling(fitted(scene), scene.points, scene.risers, room);
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const Eigen::Vector3d& p : scene.points)
+    cloud.emplace_back(p.x(), p.y(), p.z());
+  FacetSheet sheet = fitted(scene);
+  refitToScan(sheet, pcl::sedr::PointView(cloud), {});
+  giveCeiling(sheet, scene.points, scene.risers, room);
   return room;
 }
 

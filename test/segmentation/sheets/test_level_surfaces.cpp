@@ -24,9 +24,10 @@ detailsOf(const PlanRoom& truth,
           bool is_floor = false,
           double noise = 0,
           Hidden hidden = Hidden::Nothing,
-          Shadow shadow = {0, 0})
+          Shadow shadow = {0, 0},
+          double spacing = 0.05)
 {
-  RoomPoints points(0.05, noise);
+  RoomPoints points(spacing, noise);
   const RoomParts parts = points.room(truth);
   std::vector<int> own = is_floor ? parts.floor : parts.ceiling;
   for (const int i : parts.details)
@@ -85,8 +86,10 @@ TEST(LevelSurface, ARecessHasRisersOrWallsAboveTheCeilingAndASoffitARiser)
   EXPECT_EQ(countOf(step, Hidden::Risers), 1u) << "walls on three sides";
   EXPECT_EQ(countOf(coffer, Hidden::Risers), 0u) << "a missing tile";
   EXPECT_EQ(countOf(step, Hidden::RisersAndWalls), 0u) << "a reflection";
-  EXPECT_EQ(countOf(step, Hidden::Nothing, 2.5), 1u) << "a soffit";
-  EXPECT_EQ(countOf(step, Hidden::Risers, 2.5), 0u) << "a shelf, though below walls";
+  EXPECT_EQ(countOf(step, Hidden::Risers, 2.5), 1u) << "deeper than a shelf";
+  const PlanLoop shelf = rectangle(0.01, 3.11, 5.01, 4.01);
+  EXPECT_EQ(countOf(shelf, Hidden::Nothing, 2.5), 1u) << "a soffit";
+  EXPECT_EQ(countOf(shelf, Hidden::Risers, 2.5), 0u) << "a shelf, though below walls";
 }
 
 TEST(LevelSurface, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
@@ -95,7 +98,7 @@ TEST(LevelSurface, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
   room.details = {detailOf(rectangle(0.01, 2.56, 5.01, 4.01), 2.2)};
   for (const double noise : {0.0, 0.01}) { // points off the ceiling are no riser
     const auto details =
-        detailsOf(room, false, noise, Hidden::Risers, Shadow(2.13, 2.555));
+        detailsOf(room, false, noise, Hidden::Risers, Shadow(2.13, 2.555), 0.02);
     ASSERT_EQ(details.size(), 1u) << noise;
     EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary), 0.02 + noise)
         << noise;
