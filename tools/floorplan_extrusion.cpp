@@ -2,12 +2,12 @@
 #include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
-#include <cstdio>
 #include <iostream>
 
 using namespace pcl::sedr::tools;
@@ -25,12 +25,10 @@ struct Settings {
 void
 tell(const pcl::sedr::RoomSolidReport& report)
 {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "room %u: %zu triangles, floor %.2f m2, walls %.2f m2, %.2f m3, %s",
-                report.room, report.triangles, report.floor_area, report.wall_area,
-                report.volume, report.closed ? "closed" : report.problem.c_str());
-  say(text);
+  say(pcl::sedr::formatText(
+      "room %u: %zu triangles, floor %.2f m2, walls %.2f m2, %.2f m3, %s", report.room,
+      report.triangles, report.floor_area, report.wall_area, report.volume,
+      report.closed ? "closed" : report.problem.c_str()));
 }
 
 int

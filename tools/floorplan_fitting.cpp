@@ -5,13 +5,12 @@
 #include "rooms/building_file.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
-
-#include <cstdio>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StructureLabel;
@@ -48,14 +47,11 @@ tell(const pcl::sedr::PlanRoom& room)
   std::size_t arcs = 0;
   for (const auto& element : room.boundary.elements)
     arcs += element.isArc() ? 1 : 0;
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
+  say(pcl::sedr::formatText(
       "room %u: %zu segments and %zu arcs, %.2f m around, %.2f m2, %zu columns, "
       "%zu details",
       room.id, room.boundary.elements.size() - arcs, arcs, room.perimeter(),
-      room.area(), room.columns.size(), room.details.size());
-  say(text);
+      room.area(), room.columns.size(), room.details.size()));
 }
 
 int

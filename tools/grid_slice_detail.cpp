@@ -2,12 +2,12 @@
 #include "picture_file.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 
 #include <algorithm>
-#include <cstdio>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StructureLabel;
@@ -59,15 +59,13 @@ analyse(const ToolCloud& cloud, const LabelledRoom& room, Analysis& analysis)
 void
 tell(const Analysis& analysis, const LabelledRoom& room, const FoundDetails& found)
 {
-  char text[160];
+  using pcl::sedr::formatText;
   if (found.details.empty())
-    std::snprintf(text, sizeof text, "room %u: no details", room.id);
+    say(formatText("room %u: no details", room.id));
   else
-    std::snprintf(text, sizeof text,
-                  "room %u: %zu points of details: %zu, all above %.2f m; trial %d",
-                  room.id, found.details.size(), analysis.getRegionSizes().size(),
-                  analysis.getSliceHeight(), analysis.getTrial());
-  say(text);
+    say(formatText("room %u: %zu points of details: %zu, all above %.2f m; trial %d",
+                   room.id, found.details.size(), analysis.getRegionSizes().size(),
+                   analysis.getSliceHeight(), analysis.getTrial()));
 }
 
 int

@@ -3,14 +3,13 @@
 #include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
-
-#include <cstdio>
 
 using namespace pcl::sedr::tools;
 
@@ -45,14 +44,11 @@ run(const Settings& settings, Detection& detection)
   }
   writeWhole(settings.output, documentToJson(file));
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
-  for (const pcl::sedr::PlanOpening& opening : plan.openings) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "%s between rooms %u and %u: %.2f x %.2f m, from z %.2f m",
-                  nameOf(opening.kind), opening.rooms[0], opening.rooms[1],
-                  opening.width(), opening.height(), opening.bottom);
-    say(text);
-  }
+  for (const pcl::sedr::PlanOpening& opening : plan.openings)
+    say(pcl::sedr::formatText(
+        "%s between rooms %u and %u: %.2f x %.2f m, from z %.2f m",
+        nameOf(opening.kind), opening.rooms[0], opening.rooms[1], opening.width(),
+        opening.height(), opening.bottom));
   return Done;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdio>
 #include <sstream>
 #include <string>
 
@@ -15,6 +16,17 @@ numberText(double value)
   std::ostringstream text;
   text << value;
   return text.str();
+}
+
+/** @brief Returns a text for values as printf() writes it. */
+template <typename... Values>
+std::string
+formatText(const char* format, Values... values)
+{
+  const int size = std::snprintf(nullptr, 0, format, values...);
+  std::string text(static_cast<std::size_t>(size), ' ');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
+  return text;
 }
 
 /** @brief Formats a number with fixed decimals, independent of the locale. */

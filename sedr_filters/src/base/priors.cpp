@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "number_text.h"
+
 #include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -100,11 +101,8 @@ rangeProblem(const Prior& prior, double value)
 {
   if (value >= prior.low && value <= prior.high)
     return {};
-  char text[200];
-  std::snprintf(text, sizeof text, "the prior %s must be from %g to %g%s%s, not %g",
-                prior.name, prior.low, prior.high, *prior.unit ? " " : "", prior.unit,
-                value);
-  return text;
+  return formatText("the prior %s must be from %g to %g%s%s, not %g", prior.name,
+                    prior.low, prior.high, *prior.unit ? " " : "", prior.unit, value);
 }
 
 } // namespace

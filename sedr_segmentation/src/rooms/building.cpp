@@ -6,13 +6,13 @@
 
 #include "../stairs/stairs.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_segmentation/building.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -217,20 +217,16 @@ problemOf(const Building& building,
           const BuildingParameters& parameters,
           std::size_t points)
 {
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
+  std::string problem = formatText(
       "no air of at least %.1f square metres with a headroom of %.1f m between "
       "a floor and a ceiling, and walls along %.0f %% of its outline, in %zu "
       "points",
       parameters.minimum_area, parameters.headroom, 100 * parameters.minimum_enclosure,
       points);
-  std::string problem = text;
   if (!building.left_out.empty()) {
     const LeftOut& most = building.left_out.front();
-    std::snprintf(text, sizeof text, "; the largest part, %.2f m2 without its rim: %s",
-                  most.area, most.reason.c_str());
-    problem += text;
+    problem += formatText("; the largest part, %.2f m2 without its rim: %s", most.area,
+                          most.reason.c_str());
   }
   return problem;
 }

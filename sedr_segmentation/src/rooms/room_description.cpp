@@ -4,13 +4,13 @@
 #include "../air/height_counts.h"
 #include "../parting/wall_beside.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace pcl::sedr {
@@ -182,26 +182,22 @@ noRoomBecause(const BuildingRoom& room,
                std::count_if(room.columns.begin(), room.columns.end(), is)) /
            std::max(1.0, static_cast<double>(room.columns.size()));
   };
-  char text[120];
   const double tall = shareOf([&](const RoomColumn& column) {
     return column.ceiling - room.floor >= parameters.headroom;
   });
   const double area =
       tall * static_cast<double>(room.columns.size()) * cell_size * cell_size;
-  if (area < parameters.minimum_area || tall < min_tall) {
-    std::snprintf(text, sizeof text,
-                  "less than %.1f square metres with a headroom of %.1f m",
-                  parameters.minimum_area, parameters.headroom);
-    return {text, LeftOutKind::Low};
-  }
+  if (area < parameters.minimum_area || tall < min_tall)
+    return {formatText("less than %.1f square metres with a headroom of %.1f m",
+                       parameters.minimum_area, parameters.headroom),
+            LeftOutKind::Low};
   const double floor = shareOf([](const RoomColumn& c) { return c.floor_seen; });
   const double ceiling = shareOf([](const RoomColumn& c) { return c.ceiling_seen; });
-  if (std::min(floor, ceiling) < min_seen) {
-    std::snprintf(text, sizeof text, "only %.0f %% of its %s was seen",
-                  100 * std::min(floor, ceiling),
-                  floor <= ceiling ? "floor" : "ceiling");
-    return {text, LeftOutKind::Open};
-  }
+  if (std::min(floor, ceiling) < min_seen)
+    return {formatText("only %.0f %% of its %s was seen",
+                       100 * std::min(floor, ceiling),
+                       floor <= ceiling ? "floor" : "ceiling"),
+            LeftOutKind::Open};
   // Of a place too small for a scanner only what an opening shows may be seen, and
   // into what one does not enter it may look through glass.
   const double least = area < of_parting.smallest_level ? closed
@@ -210,11 +206,11 @@ noRoomBecause(const BuildingRoom& room,
   if (room.enclosure >= std::max(least, parameters.minimum_enclosure))
     return {};
   const bool is_part = access == Access::Entered && area >= of_parting.smallest_level;
-  std::snprintf(text, sizeof text, "walls along %.0f %% of its outline only: %s",
-                100 * room.enclosure,
-                is_part ? "a room seen in part, or a roof without walls"
-                        : "seen through an opening, or outdoors");
-  return {text, is_part ? LeftOutKind::Partial : LeftOutKind::Open};
+  return {formatText("walls along %.0f %% of its outline only: %s",
+                     100 * room.enclosure,
+                     is_part ? "a room seen in part, or a roof without walls"
+                             : "seen through an opening, or outdoors"),
+          is_part ? LeftOutKind::Partial : LeftOutKind::Open};
 }
 
 Verdict
@@ -224,13 +220,10 @@ seenInPart(const BuildingRoom& room, double box)
   constexpr double min_filled = 0.8; // of the rectangle: a cone of sight fills less
   if (room.enclosure >= min_walled || room.area >= min_filled * box)
     return {};
-  char text[120];
-  std::snprintf(
-      text, sizeof text,
-      "a room seen in part: walls along %.0f %% of its outline, nothing along "
-      "%.1f m",
-      100 * room.enclosure, room.unseen_outline);
-  return {text, LeftOutKind::Partial};
+  return {formatText("a room seen in part: walls along %.0f %% of its outline, nothing "
+                     "along %.1f m",
+                     100 * room.enclosure, room.unseen_outline),
+          LeftOutKind::Partial};
 }
 
 } // namespace pcl::sedr

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_check.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::sedr {
 
 namespace {
-
-std::string
-text(const char* format, double a, double b = 0, double c = 0, double d = 0)
-{
-  std::array<char, 400> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, a, b, c, d);
-  return buffer.data();
-}
 
 /** @brief Returns the extent along an axis without 1 % of the points at each end. */
 double
@@ -117,9 +109,9 @@ ScanSample::problem(const Priors& priors) const
 {
   const auto fewest = static_cast<std::size_t>(priors.min_scan_points);
   if (finite_ < fewest)
-    return text("%.0f of %.0f points are finite, a room needs at least %.0f",
-                static_cast<double>(finite_), static_cast<double>(size_),
-                static_cast<double>(fewest));
+    return formatText("%.0f of %.0f points are finite, a room needs at least %.0f",
+                      static_cast<double>(finite_), static_cast<double>(size_),
+                      static_cast<double>(fewest));
   const Eigen::Vector3d extents = extentsOf(sample_);
   const double x = extents.x();
   const double y = extents.y();
@@ -128,18 +120,19 @@ ScanSample::problem(const Priors& priors) const
     // The unit in which the scan would have the height of a building.
     const bool is_centimetre = z < 10 * priors.max_building_height &&
                                std::min(x, y) < priors.max_building_extent;
-    return text(is_centimetre
-                    ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                      "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
-                    : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                      "the millimetre, scale it by 0.001 (--unit 0.001 in pcl_sedr)",
-                x, y, z);
+    return formatText(
+        is_centimetre ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
+                        "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
+                      : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
+                        "the millimetre, scale it by 0.001 (--unit 0.001 in pcl_sedr)",
+        x, y, z);
   }
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
-    return text("the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
-                "unit must be "
-                "the metre",
-                x, y, z);
+    return formatText(
+        "the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
+        "unit must be "
+        "the metre",
+        x, y, z);
   return {};
 }
 

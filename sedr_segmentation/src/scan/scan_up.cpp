@@ -3,6 +3,7 @@
 #include "air_ends.h"
 #include "unit_check.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel_for.h"
 
 #include <Eigen/Geometry>
@@ -10,22 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace pcl::sedr {
 
 namespace {
-
-/** @brief Returns a text for numbers as printf() makes it. */
-template <typename... Numbers>
-std::string
-text(const char* format, Numbers... numbers)
-{
-  std::array<char, 400> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, numbers...);
-  return buffer.data();
-}
 
 /** @brief Returns how likely an axis is vertical, nats. */
 double
@@ -81,8 +71,9 @@ rotationFrom(const Eigen::Vector3d& up)
   Eigen::Vector3d axis = up.cross(Eigen::Vector3d::UnitZ());
   axis = axis.norm() > 0.01 ? axis.normalized() : Eigen::Vector3d::UnitX().eval();
   const auto rounded = [](double v) { return std::round(v * 1e5) / 1e5 + 0.0; };
-  return text("-axisangle %.5g,%.5g,%.5g,%.5g", rounded(axis.x()), rounded(axis.y()),
-              rounded(axis.z()), std::acos(std::clamp(up.z(), -1.0, 1.0)));
+  return formatText("-axisangle %.5g,%.5g,%.5g,%.5g", rounded(axis.x()),
+                    rounded(axis.y()), rounded(axis.z()),
+                    std::acos(std::clamp(up.z(), -1.0, 1.0)));
 }
 
 std::string
@@ -90,7 +81,7 @@ nameOf(const Eigen::Vector3d& up, const Priors& priors)
 {
   Eigen::Index axis = 0;
   if (up.cwiseAbs().maxCoeff(&axis) < std::cos(priors.same_axis))
-    return text("the direction %.2f, %.2f, %.2f", up.x(), up.y(), up.z());
+    return formatText("the direction %.2f, %.2f, %.2f", up.x(), up.y(), up.z());
   return std::string(up[axis] < 0 ? "-" : "") + "xyz"[axis];
 }
 
@@ -173,13 +164,15 @@ public:
   {
     const AirAlongAxis& z = air_[2];
     if (up.axis == 2)
-      return text("the scan seems to be upside down: things cover %.0f %% of what are "
-                  "its floors then and %.0f %% of its ceilings, which are in %.0f and "
-                  "%.0f pieces",
-                  100 * z.high.things, 100 * z.low.things, z.high.pieces, z.low.pieces);
+      return formatText(
+          "the scan seems to be upside down: things cover %.0f %% of what are "
+          "its floors then and %.0f %% of its ceilings, which are in %.0f and "
+          "%.0f pieces",
+          100 * z.high.things, 100 * z.low.things, z.high.pieces, z.low.pieces);
     const auto described = [](const AirAlongAxis& air) {
-      return text("the air is %.1f m high between surfaces at %.0f and %.0f heights",
-                  air.height, std::exp(air.low.levels), std::exp(air.high.levels));
+      return formatText(
+          "the air is %.1f m high between surfaces at %.0f and %.0f heights",
+          air.height, std::exp(air.low.levels), std::exp(air.high.levels));
     };
     return name + " seems to be up, not z: along it " + described(air_[up.axis]) +
            ", along " + name_of_z + " " + described(z);
@@ -217,17 +210,17 @@ doubtOfUp(const PointView& points,
   if (doubt.isDoubtful())
     doubt.reason = air.clauseOf(best, nameOf(up, priors), nameOf(z, priors));
   else if (is_inclined)
-    doubt.reason =
-        text("the scan is inclined: its floors and ceilings, %.0f square metres of "
-             "planes, stand at %.1f degrees to z, and its walls with them",
-             doubt.tilt.area, doubt.tilt.angle * 180 / M_PI);
+    doubt.reason = formatText(
+        "the scan is inclined: its floors and ceilings, %.0f square metres of "
+        "planes, stand at %.1f degrees to z, and its walls with them",
+        doubt.tilt.area, doubt.tilt.angle * 180 / M_PI);
   else
     return doubt;
   doubt.reason +=
       "; turn it, for instance by pcl_transform_point_cloud IN OUT " + rotationFrom(up);
   if (best.axis != 2 && air.signNats(best.axis) < UpDoubt::doubtful)
-    doubt.reason += text(" (or by %.5g if it is upside down then)",
-                         std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
+    doubt.reason += formatText(" (or by %.5g if it is upside down then)",
+                               std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
   if (best.rival != 2) {
     const Eigen::Vector3d rival = upOf(best.rival, air.signOf(best.rival));
     doubt.reason += " (or, as likely, by " + rotationFrom(rival) + " if " +

@@ -2,12 +2,11 @@
 #include "unit_check.h"
 
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -70,9 +69,7 @@ struct UnitEvidence {
       return;
     const double value = middleValue(values);
     nats += usual.natsOf(value);
-    std::array<char, 100> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    words += text.data();
+    words += formatText(format, value);
   }
 };
 
@@ -139,10 +136,10 @@ footProblem(const Floorplan& plan,
                ", and the scanner stood %.1f m above the floor");
   if (!(evidence.nats > doubtful))
     return {};
-  std::array<char, 100> text{};
-  std::snprintf(text.data(), text.size(), "the %sroom is %.1f m high and %.0f m2 large",
-                plan.rooms.size() > 1 ? "largest " : "", height_of_largest, largest);
-  return text.data() + evidence.words + ": " + if_in_feet;
+  return formatText("the %sroom is %.1f m high and %.0f m2 large",
+                    plan.rooms.size() > 1 ? "largest " : "", height_of_largest,
+                    largest) +
+         evidence.words + ": " + if_in_feet;
 }
 
 } // namespace pcl::sedr

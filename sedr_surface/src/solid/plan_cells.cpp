@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_cells.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <string>
@@ -13,15 +13,6 @@ namespace {
 
 /** @brief Pieces of a room with a smaller area are removed, square metres. */
 constexpr double crumb = 0.01;
-
-template <typename... Values>
-std::string
-textOf(const char* format, Values... values)
-{
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 /** @brief A triangulated room plan with a region per triangle. Regions that cannot be
  * built are replaced. */
@@ -71,13 +62,13 @@ public:
         const std::size_t element =
             plan_.layers.slabs[static_cast<std::size_t>(slab)].element;
         const Eigen::Vector2d at = middleOf(part);
-        warnings.push_back(
-            warningOf(WarningKind::Contradiction,
-                      plan_.layers.wordsOf(element) +
-                          textOf(" around (%.1f, %.1f), %.2f m2, is left out: ", at.x(),
-                                 at.y(), part.area) +
-                          problem,
-                      {part.area}));
+        warnings.push_back(warningOf(
+            WarningKind::Contradiction,
+            plan_.layers.wordsOf(element) +
+                formatText(" around (%.1f, %.1f), %.2f m2, is left out: ", at.x(),
+                           at.y(), part.area) +
+                problem,
+            {part.area}));
         warnings.back().at = at;
         assign(part, part.region);
         is_changed = true;
@@ -100,9 +91,9 @@ public:
     if (pieces.size() > 1)
       warnings.push_back(
           warningOf(WarningKind::Contradiction,
-                    textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
-                           "and %.2f m2",
-                           pieces.size(), pieces[0].area, pieces[1].area),
+                    formatText("its plan falls into %zu pieces, the largest of %.2f m2 "
+                               "and %.2f m2",
+                               pieces.size(), pieces[0].area, pieces[1].area),
                     {pieces[1].area}));
   }
 
@@ -353,8 +344,8 @@ private:
       return {};
     const double height = clearance(part);
     if (height < minClearance())
-      return textOf("the ceiling there would lie %.3f m %s the floor", std::abs(height),
-                    height < 0 ? "below" : "above");
+      return formatText("the ceiling there would lie %.3f m %s the floor",
+                        std::abs(height), height < 0 ? "below" : "above");
     if (plan_.layers.isNiche(part.region) && !isOpen(part))
       return "it is not open to the room";
     if (part.region != plan_.layers.plainRegions(part.region).front() &&

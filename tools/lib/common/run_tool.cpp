@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_tool.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include "plain_text.h"
 #include "tool_error.h"
@@ -11,7 +12,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -134,9 +134,7 @@ Progress::Progress(const std::string& step)
 Progress::~Progress()
 {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
-  char text[40];
-  std::snprintf(text, sizeof text, " %.1f s", taken.count());
-  say(text);
+  say(formatText(" %.1f s", taken.count()));
 }
 
 } // namespace pcl::sedr::tools

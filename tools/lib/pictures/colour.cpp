@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colour.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::sedr::tools {
 
@@ -27,19 +27,14 @@ distanceText(double metres)
   const double centimetres = 100 * metres;
   const bool is_whole = std::abs(centimetres - std::round(centimetres)) < 1e-9;
   const int digits = metres >= 1 ? 1 : is_whole ? 0 : centimetres < 0.1 ? 2 : 1;
-  char text[40];
-  std::snprintf(text, sizeof text, metres >= 1 ? "%.*f m" : "%.*f cm", digits,
-                metres >= 1 ? metres : centimetres);
-  return text;
+  return formatText(metres >= 1 ? "%.*f m" : "%.*f cm", digits,
+                    metres >= 1 ? metres : centimetres);
 }
 
 std::string
 hexCode(Colour colour)
 {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.red, colour.green,
-                colour.blue);
-  return text;
+  return formatText("#%02x%02x%02x", colour.red, colour.green, colour.blue);
 }
 
 } // namespace pcl::sedr::tools

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include "bytes/whole_file.h"
 #include "tool_error.h"
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 
@@ -200,12 +200,9 @@ std::string
 Window::help() const
 {
   std::string text = "Keys:\n";
-  for (const Key& key : keys_) {
-    char line[120];
-    std::snprintf(line, sizeof line, "  %-6s%s\n", key.symbol.c_str(),
-                  key.does.c_str());
-    text += key.does.empty() ? "" : line;
-  }
+  for (const Key& key : keys_)
+    if (!key.does.empty())
+      text += formatText("  %-6s%s\n", key.symbol.c_str(), key.does.c_str());
   return text + "Mouse: left turns, middle shifts, right and wheel come nearer.\n";
 }
 
