@@ -5,6 +5,7 @@
 
 #include "../curves/loop_difference.h"
 #include "../curves/plan_curve.h"
+#include "sedr_filters/src/base/exactness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,11 +52,18 @@ loopsOf(const CellCracks& cracks,
 }
 
 /** @brief Returns the parts of a counter-clockwise loop inside a boundary, without
- * slivers. */
+ * slivers; the loop itself if both coincide up to rounding. */
 std::vector<PlanLoop>
 within(const PlanLoop& loop, const PlanLoop& boundary)
 {
   std::vector<PlanLoop> inside = intersection(loop, boundary);
+  double missing = loop.area();
+  for (const PlanLoop& part : inside)
+    missing -= part.area();
+  for (const PlanLoop& part : difference(loop, boundary))
+    missing -= part.area();
+  if (std::abs(missing) > same_place) // square metres
+    return {loop};
   constexpr double sliver = 0.005; // metres
   inside.erase(std::remove_if(inside.begin(), inside.end(),
                               [](const PlanLoop& part) {
