@@ -13,7 +13,7 @@ class HeightCounts {
 public:
   /** @brief Least share of a room's heights that makes its floor: what is less is a
    * hole in it, what is higher stands on it. */
-  static constexpr double share_of_floor = 0.1;
+  static constexpr double share_of_floor = 0.2;
 
   void add(double height) { ++bins_[std::lround(height / bin)]; }
 

@@ -195,6 +195,8 @@ private:
         deepest * (goes_on[0] + goes_on[1]))
       return;
     const bool is_ceiling = goes_on[0] >= goes_on[1];
+    if (rim.empty() && !is_ceiling)
+      return; // as thin as it looks: a gallery
     const std::size_t side = is_ceiling ? 0 : 1;
     const double other = otherFaces(side, seen[side]).highestCount();
     for (const std::uint32_t g : region)

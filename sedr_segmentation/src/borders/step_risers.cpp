@@ -53,7 +53,8 @@ pointsOfRisers(const FacetSheet& sheet,
   std::vector<Eigen::Vector3d> points;
   forAllOver(sheet.grid, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
-               if (p.z() > heights[cell].first - margin && p.z() < heights[cell].second)
+               const auto& [low, high] = heights[cell];
+               if (high - low > margin && p.z() > low - margin && p.z() < high)
                  points.push_back(p);
              });
   return points;

@@ -21,10 +21,13 @@ findOpenings(const PointView& points,
   std::string problem = problemOf(priors);
   if (problem.empty())
     problem = indicesProblem("the", indices, points.size());
+  if (problem.empty() && (indices ? indices->empty() : points.size() == 0))
+    problem = "there are no points";
   if (problem.empty() && plan.rooms.empty())
     problem = "the floor plan has no rooms";
   if (!problem.empty())
     return problem;
+  plan.openings.clear();
   OpeningParameters parameters;
   parameters.sizes.max_depth = priors.max_wall;
   parameters.sizes.before = priors.max_furniture_depth;

@@ -54,7 +54,8 @@ std::string
 problemOf(const PlanInput& input)
 {
   const std::size_t size = input.points.size();
-  std::string problem = indicesProblem(input.indices, size);
+  std::string problem = input.indices.empty() ? "there are no points"
+                                              : indicesProblem(input.indices, size);
   if (problem.empty())
     problem = indicesProblem("raw cloud:", input.raw_indices, input.raw.size());
   if (problem.empty() && !input.faces.empty() && input.scanned.size() != size)

@@ -127,12 +127,12 @@ viewsThroughPanes(const AirGaps& air,
   Shares shares(parted);
   const VoxelColumns& columns = air.columns();
   if (!behind.empty())
-    forEachGap(air, points,
-               [&](std::size_t g, const Eigen::Vector3f& p, std::size_t i) {
-                 if (p.z() > columns.heightOf(air[g].low) - beside &&
-                     p.z() < columns.heightOf(air[g].high) + beside)
-                   shares.add(parted.room[g], behind[i] != 0);
-               });
+    forEachGap(
+        air, points, [&](std::size_t g, const Eigen::Vector3f& p, std::size_t i) {
+          if (i < behind.size() && p.z() > columns.heightOf(air[g].low) - beside &&
+              p.z() < columns.heightOf(air[g].high) + beside)
+            shares.add(parted.room[g], behind[i] != 0);
+        });
   return shares.above(most);
 }
 

@@ -29,7 +29,7 @@ struct RoomPlaneParameters {
  * @param sheet points of the ceiling of one room. O(n). */
 double ceilingLevel(const PointView& points, const std::vector<int>& sheet);
 
-/** @brief The lowest height that a tenth of a floor has, metres: platforms are higher.
+/** @brief The lowest height that a fifth of a floor has, metres: platforms are higher.
  * 0 where there is no point.
  * @param sheet points of the floor of one room. O(n). */
 double floorLevel(const PointView& points, const std::vector<int>& sheet);

@@ -44,17 +44,18 @@ bool
 ChainRun::refine(StageReport& report)
 {
   shareOut();
+  std::string problem = "no labelled point lies on the floor plan";
   for (const PlanRoom& room : chain_.plan->rooms) {
     refined_.emplace_back(new StructureCloud);
     chain_.refinement.setInputCloud(labelledCloud(room.id));
     chain_.refinement.setFloorplan(planOf(room));
     chain_.refinement.filter(*refined_.back());
-    if (!chain_.refinement.getErrorMessage().empty())
-      return fail(chain_.refinement.getErrorMessage());
+    if (!chain_.refinement.getErrorMessage().empty()) // a room without points is empty
+      problem = chain_.refinement.getErrorMessage();
     report.points_out += refined_.back()->size();
   }
   chain_.refinement.setFloorplan(chain_.plan);
-  return report.points_out > 0 || fail("no labelled point lies on the floor plan");
+  return report.points_out > 0 || fail(problem);
 }
 
 bool
@@ -65,6 +66,8 @@ ChainRun::repair(StageReport& report)
   if (!excess.empty())
     return fail(excess);
   for (std::size_t r = 0; r < refined_.size(); ++r) {
+    if (refined_[r]->empty())
+      continue;
     const PlanRoom& room = chain_.plan->rooms[r];
     StructureCloud whole;
     chain_.hole_repair.setInputCloud(refined_[r]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_body.h"
 
+#include "ifc_shapes.h"
 #include "level_slab.h"
 
 #include "sedr_filters/src/base/middle_value.h"

@@ -142,6 +142,17 @@ TEST(SlabFaces, APlateWithoutASlabBesideItStaysAsItWasSeen)
   EXPECT_TRUE(air.gaps[air.at(3, 2, 4)].floor_seen);
 }
 
+TEST(SlabFaces, AThinGalleryIsNoThickerThanSlabsOfOtherRoomsAtItsHeight)
+{
+  AirScene scene = storeysWithSlab(always, always);
+  scene.room(8.05, 0.05, 14.05, 4.05, 0.01, 5.31);
+  scene.slabs(8.05, 0.05, 10.05, 4.05, 2.71, 2.81);
+  const SceneAir air(scene);
+  const AirGap& lower = air.gaps[air.at(9, 2, 1)];
+  EXPECT_EQ(lower.high, 54);
+  EXPECT_TRUE(lower.ceiling_seen);
+}
+
 TEST(SlabFaces, StairsBesideASlabKeepTheirTreads)
 {
   AirScene scene;

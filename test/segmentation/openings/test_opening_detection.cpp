@@ -298,6 +298,11 @@ TEST(OpeningDetection, BadInputIsASentence)
   detection.setInputCloud(scene.cloud);
   EXPECT_FALSE(detection.segment(plan));
   EXPECT_EQ(detection.getErrorMessage(), "the floor plan has no rooms");
+  detection.setIndices(std::make_shared<pcl::Indices>());
+  scene.plan.openings.emplace_back();
+  EXPECT_FALSE(detection.segment(scene.plan));
+  EXPECT_EQ(detection.getErrorMessage(), "there are no points");
+  EXPECT_EQ(scene.plan.openings.size(), 1u) << "those that it had stay";
 }
 
 TEST(OpeningDetection, PointsThatAreNotFiniteAreLeftOut)

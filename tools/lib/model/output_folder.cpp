@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 namespace pcl::sedr::tools {
@@ -70,7 +71,7 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     lock();
     for (const auto& entry : fs::directory_iterator(part_)) // of a run that was killed
       fs::remove_all(entry, error);
-    interrupts_ = std::thread([this, awaited] { awaitInterrupt(awaited); });
+    startAwaiting(awaited);
   }
   catch (...) {
     clean();
@@ -79,10 +80,25 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
   }
 }
 
+/** @brief Starts the thread that awaits interrupts. Where none can be started, an
+ * interrupt ends the process as it would any other. */
+void
+OutputFolder::startAwaiting(const sigset_t& awaited)
+{
+  try {
+    interrupts_ = std::thread([this, awaited] { awaitInterrupt(awaited); });
+  }
+  catch (const std::system_error&) {
+    pthread_sigmask(SIG_SETMASK, &blocked_before_, nullptr);
+  }
+}
+
 OutputFolder::~OutputFolder()
 {
-  pthread_kill(interrupts_.native_handle(), end_of_run);
-  interrupts_.join(); // or an interrupt ends the process
+  if (interrupts_.joinable()) {
+    pthread_kill(interrupts_.native_handle(), end_of_run);
+    interrupts_.join(); // or an interrupt ends the process
+  }
   clean();
   pthread_sigmask(SIG_SETMASK, &blocked_before_, nullptr);
 }

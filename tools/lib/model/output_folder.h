@@ -42,6 +42,7 @@ public:
 private:
   void lock();
   void clean() const;
+  void startAwaiting(const sigset_t& awaited);
   void awaitInterrupt(sigset_t awaited);
   bool isInput(const std::filesystem::path& file) const;
 

@@ -44,7 +44,7 @@ struct BuildingRoom {
   std::uint32_t id = 0;            ///< from 1, largest first
   std::uint32_t storey = 0;        ///< PlanStorey::number
   std::vector<RoomColumn> columns; ///< by the keys of their cells
-  double floor = 0;          ///< lowest floor height with at least a tenth of the area
+  double floor = 0;          ///< lowest floor height with at least a fifth of the area
   double ceiling = 0;        ///< most frequent ceiling height
   double area = 0;           ///< square metres
   double enclosure = 0;      ///< share of its outline with walls, without doors

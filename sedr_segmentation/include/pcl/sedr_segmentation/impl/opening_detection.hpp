@@ -38,7 +38,6 @@ OpeningDetection<PointT>::segment(const sedr::PointView& points,
                                   const IndicesConstPtr& indices,
                                   sedr::Floorplan& plan)
 {
-  plan.openings.clear();
   search_.reset();
   this->clearError();
   const std::string problem = sedr::findOpenings(points, indices, sight_.get(), priors_,
