@@ -28,15 +28,15 @@ TEST(RoomPlanes, ACeilingIsAtTheHeightThatMostOfItHas)
   EXPECT_EQ(ceilingLevel(points.view(), {}), 0);
 }
 
-TEST(RoomPlanes, AFloorIsTheLowestHeightThatATenthOfItHas)
+TEST(RoomPlanes, AFloorIsTheLowestHeightThatAFifthOfItHas)
 {
   RoomPoints points;
   const auto floor = points.slab(rectangle(0, 0, 1, 1), 0.1);
-  const auto platform = points.slab(rectangle(1, 0, 8, 1), 0.5);
+  const auto platform = points.slab(rectangle(1, 0, 4, 1), 0.5);
   const auto pit = points.slab(rectangle(0, 2, 0.5, 3), -0.4);
   EXPECT_NEAR(floorLevel(points.view(), both(both(platform, floor), pit)), 0.1, 0.025);
   EXPECT_NEAR(floorLevel(points.view(), both(platform, pit)), 0.5, 0.025)
-      << "a pit of a fifteenth is a hole in it";
+      << "a pit of a seventh is a hole in it";
 }
 
 TEST(RoomPlanes, TheMainPlaneIsTiltedAsItsSheetDoesAndLeavesOtherHeightsOut)

@@ -125,14 +125,6 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   EXPECT_TRUE(mentions(alone, "the room is 10.6 m high")) << alone;
   const std::string hall = footProblem(planOf({10.6}, 600));
   EXPECT_TRUE(mentions(hall, "--unit 0.3048")) << hall;
-  Floorplan with_sliver = planOf({9.2, 3}, 20);
-  with_sliver.rooms[0].boundary = rectangle(0, 20, 16, 36);
-  const std::string beside = footProblem(with_sliver);
-  EXPECT_TRUE(mentions(beside, "the largest room is 9.2 m high")) << beside;
-  Floorplan with_shaft = planOf({9.2, 8.4}, 19);
-  with_shaft.rooms[0].boundary = rectangle(0, 20, 16, 36);
-  EXPECT_TRUE(mentions(footProblem(with_shaft), "the largest room is 9.2 m high"))
-      << "what is less than a tenth of the largest room is no second hall";
   Floorplan two = planOf({8, 8}, 150);
   two.doorways.resize(1);
   two.doorways[0].top = 6.7;
@@ -148,13 +140,11 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
 TEST(FootProblem, DoorsAndScannersTellItOfLargeRoomsToo)
 {
   Floorplan halls = planOf({8, 8.5, 10}, 600);
-  EXPECT_TRUE(mentions(footProblem(halls), "--unit 0.3048"));
   const std::vector<Eigen::Vector3f> in_feet{{3, 3, 5.2F}, {5, 5, 5.4F}, {3, 3, -2}};
   const std::string problem = footProblem(halls, in_feet);
   EXPECT_TRUE(mentions(problem, "the scanner stood 5.")) << problem;
   halls.doorways.resize(1);
   halls.doorways[0].top = 6.7;
-  EXPECT_TRUE(mentions(footProblem(halls), "--unit 0.3048"));
   Floorplan gym = planOf({21}, 6000);
   EXPECT_TRUE(mentions(footProblem(gym), "--unit 0.3048"));
   EXPECT_EQ(footProblem(gym, {{3, 3, 1.6F}}), "");
