@@ -393,8 +393,6 @@ TEST(FitSheet, TooFewPointsOrTooSmallAnAreaMakeNoSheet)
   EXPECT_TRUE(
       fitted(sceneOf(0.4, 0.4, [](double, double) { return 3; })).facets.empty());
   Scene scene = sceneOf(6, 4, gable);
-  scene.points.resize(20);
-  EXPECT_TRUE(fitted(scene).facets.empty());
   scene.points.clear();
   EXPECT_TRUE(fitted(scene).facets.empty());
 }

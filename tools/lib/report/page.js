@@ -109,6 +109,7 @@
     const remedies = { sparse: 'A denser scan, or scans from more places, would show more.',
       filled_in: 'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.' };
     for (const [kind, told] of kinds) {
+      told.sort((a, b) => (b.values?.[0] ?? 0) - (a.values?.[0] ?? 0)); // the worst first
       const texts = told.map(({ text, at, room }) => {
         if (at) marks.push({ number: marks.length + 1, at, room, text });
         return make('span', {}, text, ...(at ? [make('span', { class: 'mark' }, String(marks.length))] : []));
