@@ -21,9 +21,10 @@ std::vector<AirGap> withHolesClosed(const AirGaps& air);
 /** @brief The gaps of a scan, those parted by a single surface moved apart to the faces
  * of a slab: where only the ceiling below it was seen, because furniture hid the floor,
  * the air above would reach down to that ceiling. Such places are taken region by
- * region: the face that was seen is the one that goes on along the region's rim, or
- * without a rim anywhere at that height; the other lies as high as most others do above
- * or below such a face. A region without one stays as it is. O(gaps).
+ * region: the face that was seen is the one that goes on along the region's rim;
+ * without a rim it is a ceiling if ceilings elsewhere are as high, else the region is a
+ * gallery. The other face lies as high as most do above or below such a one. A region
+ * without any stays as it is. O(gaps).
  * @param air linked
  * @return all gaps, in their order */
 std::vector<AirGap> withBothFaces(const AirGaps& air);
