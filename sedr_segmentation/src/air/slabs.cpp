@@ -65,7 +65,8 @@ public:
     return std::move(gaps_);
   }
 
-  /** @brief Takes the faces that were not seen from slabs of which both were. Slabs are measured from the ceiling beside beams, less than four slabs wide. */
+  /** @brief Takes the faces that were not seen from slabs of which both were. These are
+   * measured from the ceiling beside beams, less than four slabs wide. */
   std::vector<AirGap> withBothFaces()
   {
     const std::vector<float> ceiling = closedCeiling(
