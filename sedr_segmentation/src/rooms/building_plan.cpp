@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../stairs/stair_priors.h"
+
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace pcl::sedr {
+
+namespace {
+
+/** @brief Puts the ends of a stair on the floors that were fitted there; its steps are
+ * then equal parts of their difference. */
+void
+standOnFloors(const Floorplan& plan, PlanStair& stair)
+{
+  const auto floorOf = [&](std::uint32_t id, const Eigen::Vector2d& at, double z) {
+    const PlanRoom* const room = findRoom(plan, id);
+    const double floor = room ? room->floorAt(at) : z;
+    return std::abs(floor - z) < stair_priors.same_floor ? floor : z;
+  };
+  const auto& flights = stair.flights;
+  const double bottom =
+      floorOf(stair.rooms[0], flights.empty() ? stair.at : flights.front().middle(0),
+              stair.bottom);
+  const double top = floorOf(
+      stair.rooms[1],
+      flights.empty() ? stair.at : flights.back().middle(flights.back().steps() - 1),
+      stair.top);
+  const double scale = (top - bottom) / (stair.top - stair.bottom);
+  for (PlanFlight& flight : stair.flights) {
+    flight.bottom = bottom + scale * (flight.bottom - stair.bottom);
+    flight.rise *= scale;
+  }
+  stair.bottom = bottom;
+  stair.top = top;
+}
+
+} // namespace
 
 void
 giveStoreys(const Building& building, Floorplan& plan)
@@ -25,6 +59,8 @@ giveStoreys(const Building& building, Floorplan& plan)
                std::back_inserter(plan.doorways), isKept);
   std::copy_if(building.stairs.begin(), building.stairs.end(),
                std::back_inserter(plan.stairs), isKept);
+  for (PlanStair& stair : plan.stairs)
+    standOnFloors(plan, stair);
 }
 
 } // namespace pcl::sedr

@@ -84,7 +84,8 @@ private:
         if (has_top && begin - top >= clear) {
           const Cell cell = fine_.cellOf(c);
           const double z = fine_.heightOf(top) - fine_.voxelHeight() / 2;
-          if (!floors_.isFloor(fine_.grid().centre(cell), z))
+          if (floors_.near(fine_.grid().centre(cell), z, stair_priors.same_floor, 0)
+                  .room == 0)
             levels_.push_back({cell, top - 1, is_riser});
         }
         has_top = true;
@@ -95,7 +96,8 @@ private:
     }
   }
 
-  /** @brief Gives each level the mean height of its points. */
+  /** @brief Gives each level the mean height of its points; of a riser that of its
+   * upper edge. */
   void measureHeights(const PointView& points, const std::vector<int>& indices)
   {
     const std::size_t n = indices.empty() ? points.size() : indices.size();
@@ -108,14 +110,17 @@ private:
       if (c == VoxelColumns::none)
         continue;
       for (std::uint32_t l = first_[c]; l < first_[c + 1]; ++l)
-        if (fine_.voxelAt(p.z()) == levels_[l].voxel) {
-          levels_[l].z += p.z();
-          ++levels_[l].points;
+        if (Level& level = levels_[l]; fine_.voxelAt(p.z()) == level.voxel) {
+          ++level.points;
+          if (level.is_riser)
+            level.z = level.points == 1 ? p.z() : std::max<double>(level.z, p.z());
+          else
+            level.z += (p.z() - level.z) / static_cast<double>(level.points);
         }
     }
     for (Level& level : levels_)
-      level.z = level.points == 0 ? fine_.heightOf(level.voxel)
-                                  : level.z / static_cast<double>(level.points);
+      if (level.points == 0)
+        level.z = fine_.heightOf(level.voxel);
   }
 
   /** @brief Calls `visit` for the levels at most two cells from one and as high. */
@@ -144,28 +149,27 @@ private:
       return;
     LevelPatch patch;
     double squares = 0;
+    double flat = 0; // cells that are no edges of risers: theirs is the height
+    for (const std::uint32_t k : members)
+      flat += levels_[k].is_riser ? 0 : 1;
     for (const std::uint32_t k : members) {
       patch.cells.push_back(fine_.grid().centre(levels_[k].cell));
       patch.middle += patch.cells.back() / n;
-      patch.z += levels_[k].z / n;
       patch.box.extend(patch.cells.back());
-      if (levels_[k].is_riser) {
-        patch.edge += patch.cells.back();
-        ++patch.edge_cells;
-      }
+      if (flat == 0 || !levels_[k].is_riser)
+        patch.z += levels_[k].z / (flat == 0 ? n : flat);
     }
-    patch.scatter = n * cell * cell / 12 * Eigen::Matrix2d::Identity(); // of a cell
+    Eigen::Matrix2d scatter = n * cell * cell / 12 * Eigen::Matrix2d::Identity();
     for (const std::uint32_t k : members) {
       const Eigen::Vector2d d = fine_.grid().centre(levels_[k].cell) - patch.middle;
-      patch.scatter += d * d.transpose();
+      scatter += d * d.transpose();
       squares += std::pow(levels_[k].z - patch.z, 2) / n;
     }
     if (squares > stair_priors.flatness * stair_priors.flatness ||
         floors_.near(patch.middle, patch.z).room != 0)
-      return; // a ramp, cushions; a part of a floor
-    patch.edge /= std::max(1.0, static_cast<double>(patch.edge_cells));
-    patch.is_tread = patch.depth(symmetricEigen(patch.scatter).vectors.col(0)) <=
-                     stair_priors.deepest;
+      return;        // a ramp, cushions; a part of a floor
+    patch.is_tread = // as deep as a rectangle of that scatter
+        std::sqrt(12 * symmetricEigen(scatter).values[0] / n) <= stair_priors.deepest;
     patches.push_back(std::move(patch));
   }
 

@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -20,26 +22,17 @@ namespace pcl::sedr {
 struct LevelPatch {
   std::vector<Eigen::Vector2d> cells; ///< their middles
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero(); ///< of the cells, their sum
   double z = 0;
-  Eigen::Vector2d edge = Eigen::Vector2d::Zero(); ///< middle of what is above risers
-  std::size_t edge_cells = 0;
   bool is_tread = false;
   Eigen::AlignedBox2d box{};
 
-  /** @brief How deep it is along a direction, if it is a rectangle. */
-  double depth(const Eigen::Vector2d& way) const
+  /** @brief The lower and the upper end of its cells along a direction. */
+  std::array<double, 2> extent(const Eigen::Vector2d& way) const
   {
-    return std::sqrt(12 * way.dot(scatter * way) / static_cast<double>(cells.size()));
-  }
-
-  /** @brief How far along a direction its front lies: where its riser was seen, else
-   * that of a rectangle or a wedge. */
-  double front(const Eigen::Vector2d& way) const
-  {
-    if (edge_cells >= 8 && way.dot(edge - middle) < 0.03)
-      return way.dot(edge);
-    return way.dot(middle) - depth(way) / 2;
+    std::array<double, 2> ends{way.dot(middle), way.dot(middle)};
+    for (const Eigen::Vector2d& c : cells)
+      ends = {std::min(ends[0], way.dot(c)), std::max(ends[1], way.dot(c))};
+    return ends;
   }
 };
 

@@ -15,35 +15,24 @@ RoomFloors::RoomFloors(const Building& building, double voxel)
         at_[keyOf(c.cell)].push_back({room.id, c.floor - voxel / 2});
 }
 
-bool
-RoomFloors::isFloor(const Eigen::Vector2d& place, double z) const
-{
-  const auto found = at_.find(keyOf(grid_.at(place.x(), place.y())));
-  return found != at_.end() &&
-         std::any_of(found->second.begin(), found->second.end(),
-                     [&](const Floor& floor) {
-                       return std::abs(floor.z - z) < stair_priors.same_floor;
-                     });
-}
-
 RoomFloors::Floor
-RoomFloors::near(const Eigen::Vector2d& place, double z, double same) const
+RoomFloors::near(const Eigen::Vector2d& place, double z, double same, double away) const
 {
-  const int reach = static_cast<int>(std::ceil(stair_priors.near / grid_.size()));
+  const int reach = static_cast<int>(std::ceil(away / grid_.size()));
   const Cell middle = grid_.at(place.x(), place.y());
   Floor nearest;
-  double least = stair_priors.near;
+  double least = std::max(away, grid_.size());
   for (int dx = -reach; dx <= reach; ++dx)
     for (int dy = -reach; dy <= reach; ++dy) {
       const Cell cell{middle.x + dx, middle.y + dy};
       const auto found = at_.find(keyOf(cell));
-      const double away = (grid_.centre(cell) - place).norm();
-      if (found == at_.end() || away > least)
+      const double distance = (grid_.centre(cell) - place).norm();
+      if (found == at_.end() || distance > least)
         continue;
       for (const Floor& floor : found->second)
         if (std::abs(floor.z - z) < same) {
           nearest = floor;
-          least = away;
+          least = distance;
         }
     }
   return nearest;

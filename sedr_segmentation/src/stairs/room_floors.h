@@ -26,13 +26,13 @@ public:
    */
   RoomFloors(const Building& building, double voxel);
 
-  bool isFloor(const Eigen::Vector2d& place, double z) const;
-
   /** @brief Returns the floor at a height near a place.
-   * @param same metres that it may be off */
+   * @param same metres that it may be off
+   * @param away metres that it may be from there; 0: in the place's cell */
   Floor near(const Eigen::Vector2d& place,
              double z,
-             double same = stair_priors.same_floor) const;
+             double same = stair_priors.same_floor,
+             double away = stair_priors.near) const;
 
 private:
   CellGrid grid_;

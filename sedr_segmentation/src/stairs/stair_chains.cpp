@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stair_chains.h"
 
-#include "sedr_filters/src/base/symmetric_eigen.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,14 +15,6 @@ isUnderside(const LevelPatch& patch, const LevelPatch& tread)
 {
   return patch.is_tread && std::abs(patch.z - tread.z) < stair_priors.near &&
          (patch.middle - tread.middle).norm() < stair_priors.near;
-}
-
-/** @brief The direction in which treads are shallow, forwards. */
-Eigen::Vector2d
-shallowWay(const Eigen::Matrix2d& scatter, const Eigen::Vector2d& forwards)
-{
-  const Eigen::Vector2d way = symmetricEigen(scatter).vectors.col(0);
-  return way.dot(forwards) < 0 ? -way : way;
 }
 
 /** @brief Nats that a change of rise, going and direction costs. */
@@ -68,7 +58,7 @@ std::vector<StairStep>
 StairChains::next()
 {
   std::vector<std::vector<std::size_t>> arriving(patches_.size());
-  double most = stair_priors.min_odds;
+  double most = 0;
   std::ptrdiff_t last = -1;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     StairStep& step = steps_[k];
@@ -92,13 +82,18 @@ StairChains::next()
   std::vector<StairStep> chain;
   for (; last >= 0; last = steps_[static_cast<std::size_t>(last)].before)
     chain.push_back(steps_[static_cast<std::size_t>(last)]);
+  if (!chain.empty())
+    chain.front().odds = most;
   std::reverse(chain.begin(), chain.end());
-  for (const StairStep& step : chain)
-    for (const std::size_t tread : {step.from, step.to})
-      for (std::size_t p = 0; p < patches_.size(); ++p)
-        if (p == tread || isUnderside(patches_[p], patches_[tread]))
-          is_used_[p] = 1;
   return chain;
+}
+
+void
+StairChains::use(const LevelPatch& tread)
+{
+  for (std::size_t p = 0; p < patches_.size(); ++p)
+    if (&patches_[p] == &tread || isUnderside(patches_[p], tread))
+      is_used_[p] = 1;
 }
 
 void
@@ -128,19 +123,7 @@ StairChains::addSteps(std::size_t a, std::size_t b, int steps)
     return;
   step.is_on_treads = from.is_tread && to.is_tread;
   step.way = (to.middle - from.middle).normalized();
-  add(step);
-  if (step.is_on_treads && steps == 1) {
-    step.way = shallowWay(from.scatter + to.scatter, step.way);
-    add(step);
-  }
-}
-
-void
-StairChains::add(StairStep step)
-{
-  step.going =
-      (patches_[step.to].front(step.way) - patches_[step.from].front(step.way)) /
-      step.steps;
+  step.going = (to.middle - from.middle).norm() / steps;
   if (!step.is_on_treads ||
       (step.going >= stair_priors.min_going && step.going <= stair_priors.max_going))
     steps_.push_back(step);

@@ -33,15 +33,18 @@ public:
               double cell);
 
   /** @brief Returns the best chain of patches that no other has, by dynamic
-   * programming from below; empty if none is likely. */
+   * programming from below, its odds with its last step; empty if none is more likely
+   * than not. */
   std::vector<StairStep> next();
 
+  /** @brief Takes a tread, and what may be its underside, out of further chains. */
+  void use(const LevelPatch& tread);
+
+  /** @brief Returns 1 for each patch that was taken out. */
+  const std::vector<std::uint8_t>& used() const { return is_used_; }
+
 private:
-  /** @brief Adds the steps between two patches: in the direction from one to the other,
-   * and in that in which both are shallow: of treads that were seen in part either may
-   * be wrong. */
   void addSteps(std::size_t a, std::size_t b, int steps);
-  void add(StairStep step);
   double floorGain(const StairStep& step, bool is_foot) const;
 
   const std::vector<LevelPatch>& patches_;

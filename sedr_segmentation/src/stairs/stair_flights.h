@@ -2,6 +2,7 @@
 #pragma once
 
 #include "stair_chains.h"
+#include "straight_flight.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 
@@ -9,21 +10,21 @@
 
 namespace pcl::sedr {
 
-/** @brief Returns the flights of a chain, which landings part. Risers are where the
- * fronts of the treads lie: of a straight flight in the mean, at equal distances.
+/** @brief Returns the treads of the flights of a chain, which landings part. */
+std::vector<std::vector<Tread>> treadsOf(const std::vector<StairStep>& chain,
+                                         const std::vector<LevelPatch>& patches);
+
+/** @brief Returns the flight of equal steps, as wide as their patches. */
+PlanFlight flightOf(const StraightSteps& steps);
+
+/** @brief Returns the flight of treads that turn, from riser to riser.
  * @param cell edge of the columns of the patches, metres */
-std::vector<PlanFlight> flightsOf(const std::vector<StairStep>& chain,
-                                  const std::vector<LevelPatch>& patches,
-                                  double cell);
+PlanFlight turningFlight(std::vector<Tread> treads, double cell);
 
 /** @brief Leads a flight on, as it runs and turns, to the floor at its foot or its
  * head, over treads that nobody saw.
  * @return the floor; none: the flight stays as it is */
 RoomFloors::Floor
 leadToFloor(PlanFlight& flight, const RoomFloors& floors, bool is_foot);
-
-/** @brief Gives a flight the rise that equal steps between two floors have. A straight
- * one gets as many as fit best: treads that were not seen may have been miscounted. */
-void fitBetween(double bottom, double top, PlanFlight& flight);
 
 } // namespace pcl::sedr

@@ -27,9 +27,12 @@ struct StairPriors {
   double same_floor = 0.08; ///< metres between heights of one floor
   double near = 0.6;        ///< metres from the end of a flight to its floor, and from
                             ///< treads to their underside
-  double turned = 0.08;     ///< metres by which a tread that turns is deeper than the
-                            ///< going, along the mean direction of its flight
-  int max_unseen = 20;      ///< treads from the last one that was seen to a floor
+  double level_sigma = 0.012; ///< of the height of a patch, metres
+  double edge_sigma = 0.03;   ///< of its front and its back
+  double oblique = 3;         ///< nats: one flight in twenty is along no wall beside it
+  double around = 2.5;        ///< metres from treads to the walls that tell directions
+  double wall = 1;            ///< metres of height of a surface of a wall
+  int max_unseen = 20;        ///< treads from the last one that was seen to a floor
 };
 
 inline constexpr StairPriors stair_priors;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -15,39 +17,88 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Adds flights to the nearest link between the floors that they join, or as a
- * new one. Others between these floors are then edges of the void that it leads
- * through, and go. */
+ * new one. Others between these floors are then edges of voids, and go: air joins
+ * floors, but nobody climbs there. Where a flight ends in the dark, its link tells how
+ * far it leads.
+ * @param rooms at its foot and its head; 0: it ends in the dark */
 void
 addStair(std::vector<PlanFlight>&& flights,
          const std::array<std::uint32_t, 2>& rooms,
          std::vector<PlanStair>& stairs)
 {
   constexpr double near = 2; // metres in plan from a link's opening
-  const double bottom = flights.front().bottom;
-  const double top = flights.back().top();
-  const auto distanceOf = [&](const PlanStair& stair) {
+  PlanStair stair{rooms, flights.back().middle(flights.back().steps() - 1),
+                  flights.front().bottom, flights.back().top()};
+  const auto distanceOf = [&](const PlanStair& link) {
     double away = std::numeric_limits<double>::infinity();
     for (const PlanFlight& flight : flights)
       for (std::size_t k = 0; k < flight.steps(); ++k)
-        away = std::min(away, (flight.middle(k) - stair.at).norm());
+        away = std::min(away, (flight.middle(k) - link.at).norm());
     return away;
   };
-  const auto isBeside = [&](const PlanStair& stair) {
-    return stair.flights.empty() && std::abs(stair.bottom - bottom) < near / 4 &&
-           std::abs(stair.top - top) < near / 4 && distanceOf(stair) < near;
+  const auto agrees = [&](const PlanStair& link, std::size_t end) {
+    const double off = end == 0 ? link.bottom - stair.bottom : stair.top - link.top;
+    return off < near / 4 && (stair.rooms[end] == 0 || off > -near / 4);
   };
-  PlanStair stair{rooms, flights.back().middle(flights.back().steps() - 1), bottom,
-                  top};
-  double nearest = near;
+  const auto isParallel = [&](const PlanStair& link) {
+    return link.flights.empty() && agrees(link, 0) && agrees(link, 1);
+  };
+  const PlanStair* nearest = nullptr;
   for (const PlanStair& link : stairs)
-    if (isBeside(link) && distanceOf(link) < nearest) {
-      nearest = distanceOf(link);
-      stair.rooms = link.rooms;
-      stair.at = link.at;
-    }
-  stairs.erase(std::remove_if(stairs.begin(), stairs.end(), isBeside), stairs.end());
+    if (isParallel(link) && distanceOf(link) < (nearest ? distanceOf(*nearest) : near))
+      nearest = &link;
+  if (nearest)
+    stair = {nearest->rooms, nearest->at,
+             rooms[0] == 0 ? nearest->bottom : stair.bottom,
+             rooms[1] == 0 ? nearest->top : stair.top};
+  if (stair.rooms[0] != 0 && stair.rooms[1] != 0)
+    stairs.erase(std::remove_if(stairs.begin(), stairs.end(), isParallel),
+                 stairs.end());
   stair.flights = std::move(flights);
   stairs.push_back(std::move(stair));
+}
+
+/** @brief The direction of the walls around treads, radians modulo a quarter turn: that
+ * across which the most columns with a surface of a metre lie in line. */
+std::optional<double>
+wallsAround(const std::vector<Tread>& treads, const VoxelColumns& fine)
+{
+  const double reach = stair_priors.around;
+  Eigen::AlignedBox2d box;
+  for (const Tread& tread : treads)
+    box.extend(tread.patch->box);
+  const Cell low = fine.grid().at(box.min().x() - reach, box.min().y() - reach);
+  const Cell high = fine.grid().at(box.max().x() + reach, box.max().y() + reach);
+  std::vector<Eigen::Vector2d> walls;
+  for (Cell cell = low; cell.x <= high.x; ++cell.x)
+    for (cell.y = low.y; cell.y <= high.y; ++cell.y)
+      if (const std::uint32_t c = fine.columnAt(cell); c != VoxelColumns::none) {
+        bool is_wall = false;
+        fine.forEachRun(c, [&](std::int32_t begin, std::int32_t end) {
+          is_wall = is_wall || (end - begin) * fine.voxelHeight() >= stair_priors.wall;
+        });
+        if (is_wall)
+          walls.push_back(fine.grid().centre(cell) - box.center());
+      }
+  double best = 0;
+  std::optional<double> direction;
+  for (double angle = 0; angle < M_PI / 2; angle += M_PI / 720) {
+    double sharpness = 0;
+    for (const double along : {angle, angle + M_PI / 2}) {
+      const Eigen::Vector2d way(std::cos(along), std::sin(along));
+      std::unordered_map<int, double> lines;
+      for (const Eigen::Vector2d& p : walls) {
+        double& line =
+            lines[static_cast<int>(std::floor(way.dot(p) / fine.cellSize()))];
+        sharpness += 2 * line++ + 1; // the sum of its squares
+      }
+    }
+    if (sharpness > best) {
+      best = sharpness;
+      direction = angle;
+    }
+  }
+  return direction;
 }
 
 } // namespace
@@ -66,13 +117,29 @@ addFlights(const PointView& points,
   StairChains chains(patches, floors, fine.cellSize());
   for (std::vector<StairStep> chain = chains.next(); !chain.empty();
        chain = chains.next()) {
-    std::vector<PlanFlight> flights = flightsOf(chain, patches, fine.cellSize());
-    if (flights.empty())
+    std::vector<PlanFlight> flights;
+    double odds = chain.back().odds;
+    for (const std::vector<Tread>& treads : treadsOf(chain, patches)) {
+      const auto steps = straightSteps(treads, patches, chains.used(), floors,
+                                       wallsAround(treads, fine));
+      flights.push_back(steps ? flightOf(*steps)
+                              : turningFlight(treads, fine.cellSize()));
+      if (steps)
+        odds = std::max(odds, steps->nats - stair_priors.chain_cost);
+      for (const Tread& tread : steps ? steps->treads : treads)
+        chains.use(*tread.patch);
+    }
+    for (const StairStep& step : chain)
+      for (const std::size_t patch : {step.from, step.to})
+        chains.use(patches[patch]);
+    if (flights.empty() || odds < stair_priors.min_odds)
       continue;
     const RoomFloors::Floor foot = leadToFloor(flights.front(), floors, true);
     const RoomFloors::Floor head = leadToFloor(flights.back(), floors, false);
-    if (flights.size() == 1 && foot.room != 0 && head.room != 0)
-      fitBetween(foot.z, head.z, flights[0]);
+    if (flights.size() == 1 && foot.room != 0 && head.room != 0) {
+      flights[0].bottom = foot.z;
+      flights[0].rise = (head.z - foot.z) / static_cast<double>(flights[0].steps());
+    }
     addStair(std::move(flights), {foot.room, head.room}, building.stairs);
   }
 }

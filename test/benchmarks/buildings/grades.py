@@ -192,42 +192,68 @@ def what_became(true, wanted, found, best):
 
 
 def true_flights(folder):
-    """Foot and head in plan, bottom, top and steps of each flight of a scene, as it was placed."""
+    """The flights of a scene as floorplan.json lists them, as they were placed."""
     with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
         scene = json.load(file)
     place = scene.get("placement", {"yaw": 0, "shift": [0, 0, 0]})
-    turn, shift = np.radians(place["yaw"]), np.array(place["shift"], float)
+    shift = np.array(place["shift"], float)
     flights = []
     for room in scene["rooms"]:
         for stairs in (f["stairs"] for f in room.get("furniture", []) if "stairs" in f):
-            yaw = np.radians(stairs["yaw"])
-            foot = np.array(stairs["at"], float)
-            head = foot + stairs["steps"] * stairs["going"] * np.array([-np.sin(yaw), np.cos(yaw)])
-            rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+            along = np.arange(stairs["steps"] + 1) * stairs["going"]
+            ends = np.stack([np.stack([np.full_like(along, side * stairs["width"] / 2), along], -1) for side in (-1, 1)], 1)
+            risers = (ends @ turned(stairs["yaw"]).T + np.array(stairs["at"], float)) @ turned(place["yaw"]).T + shift[:2]
             bottom = room.get("floor", 0.0) + shift[2]
-            flights.append((rotation @ foot + shift[:2], rotation @ head + shift[:2], bottom,
-                            bottom + stairs["rise"] * (stairs["steps"] + 1), stairs["steps"] + 1))
+            flights.append({"risers": risers, "bottom": bottom, "top": bottom + stairs["rise"] * len(along), "steps": len(along)})
     return flights
 
 
+def turned(degrees):
+    a = math.radians(degrees)
+    return np.array([[math.cos(a), -math.sin(a)], [math.sin(a), math.cos(a)]])
+
+
+def flight_polygon(flight):
+    risers = np.array(flight["risers"], float)
+    return Polygon(np.concatenate([risers[:, 1], risers[::-1, 0]])).buffer(0)
+
+
+def pair_flights(true, found):
+    """Where each true flight is among those found (that it shares over half of its plan or theirs and of its height with), or None."""
+    pairs = []
+    for t in true:
+        plan = flight_polygon(t)
+        shares = [0.0]
+        for f in found:
+            other = flight_polygon(f)
+            common = min(t["top"], f["top"]) - max(t["bottom"], f["bottom"])
+            shares.append(plan.intersection(other).area / min(plan.area, other.area) if common > 0.5 * (t["top"] - t["bottom"]) else 0.0)
+        pairs.append(int(np.argmax(shares)) - 1 if max(shares) > 0.5 else None)
+    return pairs
+
+
+def flight_errors(true, found):
+    """Steps too many, degrees between the directions, centimetres that the foot is too far on, the width too large, bottom and top too high."""
+    t, f = np.array(true["risers"], float), np.array(found["risers"], float)
+    across = [(r[:, 1] - r[:, 0]).mean(axis=0) for r in (t, f)]
+    cosine = across[0] @ across[1] / np.linalg.norm(across[0]) / np.linalg.norm(across[1])
+    wide = [np.linalg.norm(r[:, 1] - r[:, 0], axis=1).mean() for r in (t, f)]
+    along = (f[0] - t[0]).mean(axis=0) @ np.array([-across[0][1], across[0][0]]) / np.linalg.norm(across[0])
+    return {"steps": found["steps"] - true["steps"], "foot": 100 * along, "degrees": math.degrees(math.acos(min(1.0, cosine))),
+            "width": 100 * (wide[1] - wide[0]), "bottom": 100 * (found["bottom"] - true["bottom"]), "top": 100 * (found["top"] - true["top"])}
+
+
+def found_flights(plan):
+    return [f for s in plan.get("stairs", []) for f in s.get("flights", [])]
+
+
 def grade_stairs(true, plan):
-    """Flights: how many there are, are found (over half of their height, within 0.5 m), with as many steps, and invented."""
-    found = [f for s in plan.get("stairs", []) for f in s.get("flights", [])]
-    met, exact = set(), 0
-    matched = 0
-    for foot, head, bottom, top, steps in true:
-        best = None
-        for k, f in enumerate(found):
-            risers = np.mean(np.array(f["risers"]), axis=1)
-            way = (head - foot) / np.linalg.norm(head - foot)
-            off = np.abs((risers - foot) @ np.array([-way[1], way[0]]))
-            common = min(top, f["top"]) - max(bottom, f["bottom"])
-            if common > 0.5 * (top - bottom) and np.median(off) < 0.5 and np.linalg.norm(risers.mean(axis=0) - (foot + head) / 2) < 1:
-                best = f
-                met.add(k)
-        matched += best is not None
-        exact += best is not None and best["steps"] == steps
-    return {"stairs": len(true), "stairs_found": matched, "stairs_exact": exact, "stairs_invented": len(found) - len(met)}
+    """Flights: how many there are, are found, with as many steps, and invented."""
+    found = found_flights(plan)
+    pairs = pair_flights(true, found)
+    exact = sum(k is not None and found[k]["steps"] == t["steps"] for t, k in zip(true, pairs))
+    return {"stairs": len(true), "stairs_found": len(true) - pairs.count(None), "stairs_exact": exact,
+            "stairs_invented": len(set(range(len(found))) - set(pairs))}
 
 
 def grade(folder, output, every_room=False):

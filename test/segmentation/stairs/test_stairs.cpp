@@ -73,6 +73,11 @@ public:
 
   void slab(const PlanLoop& loop, double z) { points_.slab(loop, z); }
 
+  void wall(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+  {
+    points_.wall(segment(a, b), 0, 3);
+  }
+
   void ramp(double x0, double y0, double x1, double y1, double z, double slope)
   {
     points_.slab(rectangle(x0, y0, x1, y1), slabAt(z - slope * x0, slope, 0));
@@ -161,6 +166,49 @@ TEST(StairChains, TreadsSeenInPartAreOfOneFlight)
   }
 }
 
+TEST(StairChains, TreadsSeenInPartAreAlongTheWallBesideThem)
+{
+  for (const double degrees : {0.0, 33.0}) {
+    SCOPED_TRACE(degrees);
+    StairScene scene;
+    scene.floor(-6, -6, 8, 8, 0.01);
+    Risers seen = straightRisers(10, 0.27, 1);
+    for (std::size_t k = 0; k < seen.size(); ++k) // upwards more of their left ends
+      seen[k][1].y() = 0.4 - 0.04 * static_cast<double>(k);
+    scene.flight(moved(seen, degrees, {1, 1}), 0.01, 0.175);
+    const Risers beside = moved(straightRisers(16, 0.27, 1.3), degrees, {1, 1});
+    scene.wall(beside.front()[0], beside.back()[0]);
+    const std::vector<PlanStair> stairs = scene.stairs();
+    ASSERT_EQ(stairs.size(), 1u);
+    ASSERT_EQ(stairs[0].flights.size(), 1u);
+    const Risers& risers = stairs[0].flights[0].risers;
+    const Eigen::Vector2d along = beside.back()[0] - beside.front()[0];
+    EXPECT_LT(
+        std::abs((risers[0][0] - risers[0][1]).normalized().dot(along.normalized())),
+        std::sin(0.75 * M_PI / 180));
+  }
+}
+
+TEST(StairChains, AFlightIsWhereItsTreadsAreNotItsUnderside)
+{
+  StairScene scene;
+  scene.floor(-4, -4, 8, 8, 0);
+  const Risers risers = straightRisers(16, 0.27, 1);
+  Risers strip(risers.begin() + 4, risers.begin() + 11);
+  for (PlanFlight::Riser& riser : strip) // of these treads a part was seen
+    riser[1].y() = 0.2;
+  scene.flight(strip, 0.7, 0.175);
+  scene.flight(moved(straightRisers(12, 0.27, 0.7), 0, {0.27 * 3, -0.15}), 0.2, 0.175);
+  scene.floor(16 * 0.27, -1, 6, 1, 2.8);
+  const std::vector<PlanStair> stairs = scene.stairs();
+  ASSERT_EQ(stairs.size(), 1u);
+  ASSERT_EQ(stairs[0].flights.size(), 1u);
+  const PlanFlight& flight = stairs[0].flights[0];
+  ASSERT_EQ(flight.steps(), 16u);
+  EXPECT_NEAR(flight.middle(0).x(), 0, 0.05);
+  EXPECT_NEAR(flight.middle(15).x(), 15 * 0.27, 0.05);
+}
+
 TEST(StairChains, ALandingPartsTwoFlights)
 {
   StairScene scene;
@@ -240,11 +288,35 @@ TEST(StairChains, FlightsAreOfTheLinkThatLeadsThere)
   StairScene scene;
   scene.floor(-4, -4, 8, 8, 0);
   scene.flight(straightRisers(16, 0.27, 1), 0, 0.175);
-  scene.building.stairs = {{{1, 5}, {4.2, 0}, 0, 2.8, {}}};
+  const PlanStair edge_of_a_void{{1, 5}, {-3, -3}, 0, 2.8, {}};
+  scene.building.stairs = {edge_of_a_void, {{1, 5}, {4.2, 0}, 0, 2.8, {}}};
   const std::vector<PlanStair> stairs = scene.stairs();
   ASSERT_EQ(stairs.size(), 1u);
+  EXPECT_EQ(stairs[0].at.x(), 4.2);
   EXPECT_EQ(stairs[0].rooms[1], 5u);
   EXPECT_EQ(stairs[0].flights.size(), 1u);
+}
+
+TEST(StairChains, FlightsOfAPlanStandOnItsFloorsWithEqualSteps)
+{
+  StairScene scene;
+  scene.floor(-4, -4, 8, 8, 0.01);
+  scene.flight(straightRisers(16, 0.27, 1), 0.01, 0.175);
+  scene.floor(16 * 0.27, -1, 6, 1, 2.81);
+  scene.stairs();
+  Floorplan plan;
+  for (const BuildingRoom& room : scene.building.rooms) {
+    PlanRoom fitted;
+    fitted.id = room.id;
+    fitted.floor.plane = {0, 0, 1, static_cast<float>(room.id == 1 ? -0.013 : -2.797)};
+    plan.rooms.push_back(fitted);
+  }
+  giveStoreys(scene.building, plan);
+  ASSERT_EQ(plan.stairs.size(), 1u);
+  const PlanFlight& flight = plan.stairs[0].flights.at(0);
+  EXPECT_NEAR(flight.bottom, 0.013, 1e-6);
+  EXPECT_NEAR(flight.rise, (2.797 - 0.013) / 16, 1e-6);
+  EXPECT_NEAR(plan.stairs[0].top, 2.797, 1e-6);
 }
 
 } // namespace
