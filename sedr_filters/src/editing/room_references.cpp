@@ -23,9 +23,12 @@ forEachReference(Floorplan& plan,
   for (PlanDoorway& doorway : plan.doorways)
     for (std::uint32_t& of : doorway.rooms)
       see(of, (doorway.start + doorway.end) / 2);
-  for (PlanStair& stair : plan.stairs)
-    for (std::uint32_t& of : stair.rooms)
-      see(of, stair.at);
+  for (PlanStair& stair : plan.stairs) {
+    const auto& flights = stair.flights;
+    see(stair.rooms[0], flights.empty() ? stair.at : flights.front().middle(0));
+    see(stair.rooms[1],
+        flights.empty() ? stair.at : flights.back().middle(flights.back().steps() - 1));
+  }
 }
 
 void

@@ -97,6 +97,26 @@ TEST(PlanEditor, ASplitRoomHasTwoPartsWithTheirDoors)
             std::string::npos);
 }
 
+TEST(PlanEditor, FlightsStayAndLeadFromThePartThatTheirFootIsIn)
+{
+  Floorplan plan = twoRooms();
+  PlanFlight flight;
+  flight.risers = {{Eigen::Vector2d(0.5, 2), {0.5, 1}},
+                   {Eigen::Vector2d(3.5, 2), {3.5, 1}}};
+  flight.rise = 0.18;
+  plan.stairs = {{{1, 2}, {3.5, 1.5}, 0, 0.36, {flight}},
+                 {{1, 1}, {1, 1}, 0, 0.36, {flight}}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.split(1, {2, -1}, {2, 4})) << editor.getErrorMessage();
+  ASSERT_TRUE(editor.drop(2)) << editor.getErrorMessage();
+  expectValid(editor);
+  const auto& stairs = editor.getFloorplan().stairs;
+  ASSERT_EQ(stairs.size(), 2u);
+  EXPECT_EQ(stairs[0].rooms, (std::array<std::uint32_t, 2>{1, 0}));
+  EXPECT_EQ(stairs[0].flights.size(), 1u);
+  EXPECT_EQ(stairs[1].rooms, (std::array<std::uint32_t, 2>{1, 3}));
+}
+
 TEST(PlanEditor, ADroppedRoomIsOutside)
 {
   PlanEditor editor(twoRooms());
