@@ -38,4 +38,18 @@ RoomFloors::near(const Eigen::Vector2d& place, double z, double same, double awa
   return nearest;
 }
 
+bool
+RoomFloors::part(const Eigen::Vector2d& from,
+                 double low,
+                 const Eigen::Vector2d& to,
+                 double high,
+                 int steps) const
+{
+  const double rise = (high - low) / steps;
+  for (int k = 1; k < steps; ++k)
+    if (near(from + k * (to - from) / steps, low + k * rise, rise / 2).room != 0)
+      return true;
+  return false;
+}
+
 } // namespace pcl::sedr

@@ -34,6 +34,13 @@ public:
              double same = stair_priors.same_floor,
              double away = stair_priors.near) const;
 
+  /** @brief Whether a floor lies between two treads that are some steps apart. */
+  bool part(const Eigen::Vector2d& from,
+            double low,
+            const Eigen::Vector2d& to,
+            double high,
+            int steps) const;
+
 private:
   CellGrid grid_;
   std::unordered_map<CellKey, std::vector<Floor>> at_;

@@ -8,15 +8,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Whether a patch may be the underside of a flight, where its treads were not
- * seen. */
-bool
-isUnderside(const LevelPatch& patch, const LevelPatch& tread)
-{
-  return patch.is_tread && std::abs(patch.z - tread.z) < stair_priors.near &&
-         (patch.middle - tread.middle).norm() < stair_priors.near;
-}
-
 /** @brief Nats that a change of rise, going and direction costs. */
 double
 change(const StairStep& a, const StairStep& b)
@@ -92,7 +83,10 @@ void
 StairChains::use(const LevelPatch& tread)
 {
   for (std::size_t p = 0; p < patches_.size(); ++p)
-    if (&patches_[p] == &tread || isUnderside(patches_[p], tread))
+    if (const LevelPatch& patch = patches_[p];
+        &patch == &tread ||
+        (patch.is_tread && std::abs(patch.z - tread.z) < stair_priors.near &&
+         (patch.middle - tread.middle).norm() < stair_priors.near))
       is_used_[p] = 1;
 }
 
@@ -105,21 +99,8 @@ StairChains::addSteps(std::size_t a, std::size_t b, int steps)
   const double reach = 3 * cell_ + steps * stair_priors.max_going;
   if (step.rise < stair_priors.min_rise || step.rise > stair_priors.max_rise ||
       from.box.exteriorDistance(to.box) > reach ||
-      (steps > 1 && !(from.is_tread && to.is_tread)))
-    return;
-  for (int k = 1; k < steps; ++k) // a floor ends a stair
-    if (floors_
-            .near(from.middle + k * (to.middle - from.middle) / steps,
-                  from.z + k * step.rise, step.rise / 2)
-            .room != 0)
-      return;
-  const auto isNear = [&](const Eigen::Vector2d& p) {
-    return to.box.exteriorDistance(p) <= reach &&
-           std::any_of(to.cells.begin(), to.cells.end(), [&](const Eigen::Vector2d& q) {
-             return (p - q).squaredNorm() <= reach * reach;
-           });
-  };
-  if (std::none_of(from.cells.begin(), from.cells.end(), isNear))
+      (steps > 1 && !(from.is_tread && to.is_tread)) ||
+      floors_.part(from.middle, from.z, to.middle, to.z, steps))
     return;
   step.is_on_treads = from.is_tread && to.is_tread;
   step.way = (to.middle - from.middle).normalized();

@@ -61,52 +61,29 @@ flightOf(const StraightSteps& steps)
 }
 
 PlanFlight
-turningFlight(std::vector<Tread> treads, double cell)
+turningFlight(const std::vector<Tread>& treads)
 {
-  const auto angleTo = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  };
-  double turn = 0; // the first tread has no riser before it
-  for (std::size_t k = 2; k < treads.size(); ++k)
-    turn += angleTo(treads[k - 1].way, treads[k].way);
-  turn /= std::max(1, treads.back().number - treads[1].number);
-  treads.front().way = Eigen::Rotation2Dd(-turn) * treads.front().way;
-  std::vector<double> fronts;
-  std::vector<double> heights;
-  for (const Tread& tread : treads) {
-    fronts.push_back(tread.patch->extent(tread.way)[0]);
-    heights.push_back(tread.patch->z);
-  }
   PlanFlight flight;
+  std::vector<double> heights{treads.front().patch->z};
+  for (std::size_t k = 1; k < treads.size(); ++k) {
+    const Tread& a = treads[k - 1];
+    const Tread& b = treads[k];
+    heights.push_back(b.patch->z);
+    const Eigen::Vector2d across = leftOf(b.way);
+    const auto [a_right, a_left] = a.patch->extent(across);
+    const auto [b_right, b_left] = b.patch->extent(across);
+    const Eigen::Vector2d step =
+        (b.patch->middle - a.patch->middle) / (b.number - a.number);
+    for (int n = 0; n < b.number - a.number; ++n) { // over those that nobody saw
+      const Eigen::Vector2d at = b.way.dot(a.patch->middle + (n + 0.5) * step) * b.way;
+      flight.risers.push_back(
+          {at + (a_left + b_left) / 2 * across, at + (a_right + b_right) / 2 * across});
+    }
+  }
   const Eigen::Vector2d line = lineThrough(treads, heights);
   flight.bottom = line[0] - line[1];
   flight.rise = line[1];
-  // Each riser is as wide as the treads beside it are there.
-  constexpr double beside = 0.12; // metres
-  const auto riserOf = [&](std::size_t k) -> PlanFlight::Riser {
-    const Eigen::Vector2d& way = treads[k].way;
-    const Eigen::Vector2d& middle = treads[k].patch->middle;
-    const Eigen::Vector2d at = middle + (fronts[k] - way.dot(middle)) * way;
-    double most = 0;
-    double least = 0;
-    for (std::size_t tread = k == 0 ? 0 : k - 1; tread <= k; ++tread)
-      for (const Eigen::Vector2d& c : treads[tread].patch->cells)
-        if (std::abs(way.dot(c - at)) < beside) {
-          most = std::max(most, leftOf(way).dot(c - at) + cell / 2);
-          least = std::min(least, leftOf(way).dot(c - at) - cell / 2);
-        }
-    return {at + most * leftOf(way), at + least * leftOf(way)};
-  };
-  for (std::size_t k = 0; k < treads.size(); ++k) {
-    const PlanFlight::Riser riser = riserOf(k);
-    const int steps = k == 0 ? 1 : treads[k].number - treads[k - 1].number;
-    for (int n = 1; n < steps; ++n) { // those between that nobody saw
-      const PlanFlight::Riser before = riserOf(k - 1);
-      flight.risers.push_back({before[0] + (riser[0] - before[0]) * n / steps,
-                               before[1] + (riser[1] - before[1]) * n / steps});
-    }
-    flight.risers.push_back(riser);
-  }
+  flight.risers.insert(flight.risers.begin(), nextRiser(flight, true));
   flight.risers.push_back(nextRiser(flight, false));
   return flight;
 }

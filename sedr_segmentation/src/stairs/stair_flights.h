@@ -17,9 +17,9 @@ std::vector<std::vector<Tread>> treadsOf(const std::vector<StairStep>& chain,
 /** @brief Returns the flight of equal steps, as wide as their patches. */
 PlanFlight flightOf(const StraightSteps& steps);
 
-/** @brief Returns the flight of treads that turn, from riser to riser.
- * @param cell edge of the columns of the patches, metres */
-PlanFlight turningFlight(std::vector<Tread> treads, double cell);
+/** @brief Returns the flight of three treads or more that turn: risers half way between
+ * their middles, as wide as they are. */
+PlanFlight turningFlight(const std::vector<Tread>& treads);
 
 /** @brief Leads a flight on, as it runs and turns, to the floor at its foot or its
  * head, over treads that nobody saw.

@@ -122,8 +122,8 @@ addFlights(const PointView& points,
     for (const std::vector<Tread>& treads : treadsOf(chain, patches)) {
       const auto steps = straightSteps(treads, patches, chains.used(), floors,
                                        wallsAround(treads, fine));
-      flights.push_back(steps ? flightOf(*steps)
-                              : turningFlight(treads, fine.cellSize()));
+      if (steps || treads.size() > 2)
+        flights.push_back(steps ? flightOf(*steps) : turningFlight(treads));
       if (steps)
         odds = std::max(odds, steps->nats - stair_priors.chain_cost);
       for (const Tread& tread : steps ? steps->treads : treads)

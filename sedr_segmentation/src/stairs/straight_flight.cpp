@@ -136,19 +136,12 @@ private:
 void
 endAtFloors(const RoomFloors& floors, StraightSteps& steps)
 {
-  const auto isParted = [&](const Tread& a, const Tread& b) {
-    for (int k = a.number + 1; k < b.number; ++k)
-      if (floors
-              .near(a.patch->middle + (k - a.number) * steps.going * steps.way,
-                    steps.level + k * steps.rise, steps.rise / 2)
-              .room != 0)
-        return true;
-    return false;
-  };
   std::vector<Tread> part;
   std::vector<Tread> most;
   for (const Tread& tread : steps.treads) {
-    if (!part.empty() && isParted(part.back(), tread))
+    if (!part.empty() && floors.part(part.back().patch->middle, part.back().patch->z,
+                                     tread.patch->middle, tread.patch->z,
+                                     tread.number - part.back().number))
       part.clear();
     part.push_back(tread);
     if (part.size() > most.size())
