@@ -17,19 +17,18 @@ namespace {
 void
 standOnFloors(const Floorplan& plan, PlanStair& stair)
 {
-  const auto floorOf = [&](std::uint32_t id, const Eigen::Vector2d& at, double z) {
+  const auto floorOf = [&](std::uint32_t id, bool is_foot, double z) {
+    const auto& flights = stair.flights;
     const PlanRoom* const room = findRoom(plan, id);
-    const double floor = room ? room->floorAt(at) : z;
+    const double floor =
+        !room             ? z
+        : flights.empty() ? room->floorAt(stair.at)
+        : is_foot         ? room->floorAt(flights.front().middle(0))
+                  : room->floorAt(flights.back().middle(flights.back().steps() - 1));
     return std::abs(floor - z) < stair_priors.same_floor ? floor : z;
   };
-  const auto& flights = stair.flights;
-  const double bottom =
-      floorOf(stair.rooms[0], flights.empty() ? stair.at : flights.front().middle(0),
-              stair.bottom);
-  const double top = floorOf(
-      stair.rooms[1],
-      flights.empty() ? stair.at : flights.back().middle(flights.back().steps() - 1),
-      stair.top);
+  const double bottom = floorOf(stair.rooms[0], true, stair.bottom);
+  const double top = floorOf(stair.rooms[1], false, stair.top);
   const double scale = (top - bottom) / (stair.top - stair.bottom);
   for (PlanFlight& flight : stair.flights) {
     flight.bottom = bottom + scale * (flight.bottom - stair.bottom);

@@ -20,6 +20,7 @@ struct Level {
   std::int32_t voxel = 0;
   bool is_riser = false; ///< it goes down, as a ramp does not
   double z = 0;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< mean of its points
   std::size_t points = 0;
 };
 
@@ -96,8 +97,8 @@ private:
     }
   }
 
-  /** @brief Gives each level the mean height of its points; of a riser that of its
-   * upper edge. */
+  /** @brief Gives each level the mean place and height of its points; of a riser the
+   * height of its upper edge. */
   void measureHeights(const PointView& points, const std::vector<int>& indices)
   {
     const std::size_t n = indices.empty() ? points.size() : indices.size();
@@ -112,6 +113,8 @@ private:
       for (std::uint32_t l = first_[c]; l < first_[c + 1]; ++l)
         if (Level& level = levels_[l]; fine_.voxelAt(p.z()) == level.voxel) {
           ++level.points;
+          level.at += (p.head<2>().cast<double>() - level.at) /
+                      static_cast<double>(level.points);
           if (level.is_riser)
             level.z = level.points == 1 ? p.z() : std::max<double>(level.z, p.z());
           else
@@ -119,8 +122,10 @@ private:
         }
     }
     for (Level& level : levels_)
-      if (level.points == 0)
+      if (level.points == 0) {
         level.z = fine_.heightOf(level.voxel);
+        level.at = fine_.grid().centre(level.cell);
+      }
   }
 
   /** @brief Calls `visit` for the levels at most two cells from one and as high. */
@@ -153,7 +158,7 @@ private:
     for (const std::uint32_t k : members)
       flat += levels_[k].is_riser ? 0 : 1;
     for (const std::uint32_t k : members) {
-      patch.cells.push_back(fine_.grid().centre(levels_[k].cell));
+      patch.cells.push_back(levels_[k].at);
       patch.middle += patch.cells.back() / n;
       patch.box.extend(patch.cells.back());
       if (flat == 0 || !levels_[k].is_riser)
@@ -161,7 +166,7 @@ private:
     }
     Eigen::Matrix2d scatter = n * cell * cell / 12 * Eigen::Matrix2d::Identity();
     for (const std::uint32_t k : members) {
-      const Eigen::Vector2d d = fine_.grid().centre(levels_[k].cell) - patch.middle;
+      const Eigen::Vector2d d = levels_[k].at - patch.middle;
       scatter += d * d.transpose();
       squares += std::pow(levels_[k].z - patch.z, 2) / n;
     }

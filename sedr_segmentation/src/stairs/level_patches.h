@@ -20,7 +20,7 @@ namespace pcl::sedr {
 /** @brief A level patch: a tread, the upper edge of a riser above which the tread was
  * not seen, a landing, or the top of furniture. */
 struct LevelPatch {
-  std::vector<Eigen::Vector2d> cells; ///< their middles
+  std::vector<Eigen::Vector2d> cells; ///< means of their points
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   double z = 0;
   bool is_tread = false;

@@ -69,15 +69,16 @@ turningFlight(const std::vector<Tread>& treads)
     const Tread& a = treads[k - 1];
     const Tread& b = treads[k];
     heights.push_back(b.patch->z);
-    const Eigen::Vector2d across = leftOf(b.way);
+    const Eigen::Vector2d step = b.patch->middle - a.patch->middle;
+    const Eigen::Vector2d across = leftOf(step.normalized());
     const auto [a_right, a_left] = a.patch->extent(across);
     const auto [b_right, b_left] = b.patch->extent(across);
-    const Eigen::Vector2d step =
-        (b.patch->middle - a.patch->middle) / (b.number - a.number);
+    const double right = (a_right + b_right) / 2 - across.dot(a.patch->middle);
+    const double left = (a_left + b_left) / 2 - across.dot(a.patch->middle);
     for (int n = 0; n < b.number - a.number; ++n) { // over those that nobody saw
-      const Eigen::Vector2d at = b.way.dot(a.patch->middle + (n + 0.5) * step) * b.way;
-      flight.risers.push_back(
-          {at + (a_left + b_left) / 2 * across, at + (a_right + b_right) / 2 * across});
+      const Eigen::Vector2d at =
+          a.patch->middle + (n + 0.5) / (b.number - a.number) * step;
+      flight.risers.push_back({at + left * across, at + right * across});
     }
   }
   const Eigen::Vector2d line = lineThrough(treads, heights);
@@ -92,21 +93,17 @@ std::vector<std::vector<Tread>>
 treadsOf(const std::vector<StairStep>& chain, const std::vector<LevelPatch>& patches)
 {
   std::vector<std::vector<Tread>> flights(1);
-  if (patches[chain.front().from].is_tread)
-    flights.back().push_back({0, &patches[chain.front().from], chain.front().way});
-  for (const StairStep& step : chain) {
+  const auto add = [&](std::size_t patch, int steps) {
     std::vector<Tread>& treads = flights.back();
-    const LevelPatch& to = patches[step.to];
-    if (!to.is_tread)
+    if (!patches[patch].is_tread)
       flights.emplace_back();
-    else if (treads.empty())
-      treads.push_back({0, &to, step.way});
-    else {
-      if (treads.size() == 1)
-        treads.front().way = step.way;
-      treads.push_back({treads.back().number + step.steps, &to, step.way});
-    }
-  }
+    else
+      treads.push_back(
+          {treads.empty() ? 0 : treads.back().number + steps, &patches[patch]});
+  };
+  add(chain.front().from, 0);
+  for (const StairStep& step : chain)
+    add(step.to, step.steps);
   flights.erase(std::remove_if(flights.begin(), flights.end(),
                                [](const auto& treads) { return treads.size() < 2; }),
                 flights.end());

@@ -104,7 +104,7 @@ private:
       if (const double gain = nats(strip, number, z - number * steps.rise); gain > 0) {
         double& so_far = best[number];
         so_far = std::max(so_far, gain);
-        steps.treads.push_back({number, strip.patch, way_});
+        steps.treads.push_back({number, strip.patch});
         continue;
       }
       const auto above = static_cast<int>(

@@ -11,7 +11,6 @@ namespace pcl::sedr {
 struct Tread {
   int number = 0; ///< in its flight, from 0
   const LevelPatch* patch = nullptr;
-  Eigen::Vector2d way; ///< forwards, of the step to it; of the first: from it
 };
 
 /** @brief Equal steps: tread k reaches `going` metres along `way` from `front + k

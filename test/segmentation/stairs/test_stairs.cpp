@@ -139,7 +139,7 @@ TEST(StairChains, AStraightFlightHasItsRisersWhateverItsDirection)
     EXPECT_NEAR(flight.going(), 0.27, 0.005);
     EXPECT_NEAR(flight.bottom, 0.01, 0.02);
     EXPECT_NEAR(flight.top(), 2.81, 0.02);
-    expectRisers(flight, risers, 0.06);
+    expectRisers(flight, risers, 0.03);
   }
 }
 
