@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -80,16 +79,18 @@ wallsAround(const std::vector<Tread>& treads, const VoxelColumns& fine)
         if (is_wall)
           walls.push_back(fine.grid().centre(cell) - box.center());
       }
+  const double farthest = box.sizes().norm() / 2 + 2 * reach;
   double best = 0;
   std::optional<double> direction;
   for (double angle = 0; angle < M_PI / 2; angle += M_PI / 720) {
     double sharpness = 0;
     for (const double along : {angle, angle + M_PI / 2}) {
       const Eigen::Vector2d way(std::cos(along), std::sin(along));
-      std::unordered_map<int, double> lines;
+      std::vector<double> lines(
+          static_cast<std::size_t>(2 * farthest / fine.cellSize()) + 1);
       for (const Eigen::Vector2d& p : walls) {
         double& line =
-            lines[static_cast<int>(std::floor(way.dot(p) / fine.cellSize()))];
+            lines[static_cast<std::size_t>((way.dot(p) + farthest) / fine.cellSize())];
         sharpness += 2 * line++ + 1; // the sum of its squares
       }
     }
