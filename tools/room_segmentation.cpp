@@ -100,10 +100,6 @@ main(int argc, char** argv)
   options.parameter("min-area", segmentation, &Segmentation::getMinimumArea,
                     &Segmentation::setMinimumArea, "m2", "smallest room, with headroom",
                     Range::above(0));
-  options.parameter("widest-passage", segmentation, &Segmentation::getWidestPassage,
-                    &Segmentation::setWidestPassage, "m",
-                    "widest opening below a lintel that parts two rooms",
-                    Range::above(0));
   options.text("building", settings.building,
                "JSON file for storeys, doorways, stairs and hidden parts of ceilings");
   options.flag(

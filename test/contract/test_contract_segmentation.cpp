@@ -72,10 +72,7 @@ public:
 /** With slice height. */
 class SlicedWallGrowingAdaptor : public WallGrowingAdaptor {
 public:
-  SlicedWallGrowingAdaptor()
-  {
-    stage_.setSliceHeight(1.25);
-  }
+  SlicedWallGrowingAdaptor() { stage_.setSliceHeight(1.25); }
 };
 
 /** The size is the number of inliers of all planes. */
@@ -126,8 +123,6 @@ public:
     parameter([this](double v) { stage_.setMinimumArea(v); }, 1, {-1, inf});
     parameter([this](double v) { stage_.setHeadroom(v); }, 1.8, {0, nan});
     parameter([this](double v) { stage_.setMinimumEnclosure(v); }, 0.4, {-0.1, 1.01});
-    parameter([this](double v) { stage_.setWidestDoor(v); }, 1.6, {0, 5});
-    parameter([this](double v) { stage_.setWidestPassage(v); }, 4, {1.5, inf});
     parameter([this](double v) { stage_.setStoreyStep(v); }, 1.6, {0, -1.6});
   }
 

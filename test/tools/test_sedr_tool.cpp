@@ -69,7 +69,7 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   EXPECT_NEAR(report.at("rooms")[0].at("volume").get<double>(), 30, 0.2);
   EXPECT_NEAR(report.at("rooms")[0].at("perimeter").get<double>(), 14, 0.05);
   EXPECT_EQ(report.at("parameters").at("voxel_size"), 0.05) << "as it was given";
-  for (const char* name : {"unit", "z_up", "threads", "widest_door"})
+  for (const char* name : {"unit", "z_up", "threads", "headroom"})
     EXPECT_TRUE(report.at("parameters").contains(name)) << name;
   ASSERT_EQ(report.at("stages").size(), 14u); // eleven of the chain
   EXPECT_EQ(report.at("stages")[0].at("stage"), "reading");

@@ -56,4 +56,13 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
   return distance;
 }
 
+std::vector<float>
+distanceToLintel(const AirGaps& air, const std::vector<float>& dip, double lintel)
+{
+  std::vector<std::uint8_t> is_level(air.size());
+  for (std::size_t g = 0; g < air.size(); ++g)
+    is_level[g] = dip[g] < lintel ? 1 : 0;
+  return distanceToRim(air, is_level);
+}
+
 } // namespace pcl::sedr

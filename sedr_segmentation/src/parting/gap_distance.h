@@ -14,4 +14,9 @@ namespace pcl::sedr {
 std::vector<float> distanceToRim(const AirGaps& air,
                                  const std::vector<std::uint8_t>& inside = {});
 
+/** @brief The same, to the rim or to where the ceiling dips by `lintel` metres.
+ * @param dip of each gap, see dipOfCeiling() */
+std::vector<float>
+distanceToLintel(const AirGaps& air, const std::vector<float>& dip, double lintel);
+
 } // namespace pcl::sedr

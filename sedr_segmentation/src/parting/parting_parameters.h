@@ -3,34 +3,41 @@
 
 namespace pcl::sedr {
 
+/** @brief Logarithms of the odds that two parts of the air are one room, by what is
+ * measured along their border, see RoomBorders::oddsOfOne(). Fitted by maximum
+ * likelihood to random buildings (test/benchmarks/border_odds.py); behind each
+ * its standard error. */
+struct BorderOdds {
+  double any = -3.42;  ///< 0.25
+  double dip = -5.58;  ///< 0.56; a metre that the ceiling dips, one at most
+  double open = 2.79;  ///< 0.18; ln of the open length of the border over its walls'
+  double neck = 2.57;  ///< 0.45; square of half of the widest way between them that no
+                       ///< lintel is above, of the shallower part's depth
+  double drop = -2.22; ///< 0.57; share of the border at edges of galleries
+  double stacked = -2.47; ///< 0.79; share of the smaller part above or below the other
+  double depth = -1.64;   ///< 0.28; ln of the shallower part's depth, a metre at most
+  double outline = 22.33; ///< 1.60; square of the share of the outline that is open, of
+                          ///< the part of which less is
+  double share = 11.75;   ///< 4.57; what the border is of the shorter outline, above a
+                          ///< fifth
+  double unseen_border = 0.4;  ///< metres; open ones and walls, presumed beside those
+                               ///< that were seen
+  double unseen_outline = 2.0; ///< the same of walls of outlines
+};
+
 /** @brief What is believed of what parts rooms; lengths in metres. */
 struct PartingParameters {
   double lintel = 0.12; ///< least dip of the ceiling below what is beside it, where
-                        ///< rooms may part, and in the mean over a door's width
+                        ///< rooms may part
   double lintel_reach = 0.45; ///< half of the longest way below a lintel: of a wall
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
-  double thickest_wall = 0.6; ///< around a door without a lintel; also the widest pier
-                              ///< or column that stands in one opening
-  double min_way = 0.5;       ///< what is not half as deep is a ledge, no place
-  double widest_door = 1.6;
-  double widest_leaf = 0.8; ///< of that: a door without a lintel, which one leaf closes
-  double widest_passage = 4; ///< of one below a deep lintel
-  double deep_lintel = 0.2;
-  double jamb = 0.25;     ///< least length of a room's wall beside a door; also how far
-                          ///< from the end of an opening its wall may begin
-  double jamb_reach = 2;  ///< as far as it is followed there
-  double floor_reach = 1; ///< the floor near an opening is that within
-  double same_floor = 1.0;   ///< floors of one room differ by less at an opening
-  double min_over_air = 0.1; ///< share of a gallery; less is on furniture
+  double thickest_wall = 0.6; ///< around a door without a lintel
+  double min_way = 0.5; ///< what is narrower is no way; what is not half as deep is a
+                        ///< ledge, no room
+  double widest_door = 1.6;  ///< without a lintel
   double smallest_level = 5; ///< square metres; less on another height is a landing;
                              ///< also the least in which a scanner is thought to stand
-  double widest_share = 0.8; ///< of the width of the wider room that is open, but for
-                             ///< doors with a lintel
-  double min_open = 0.5;     ///< share of the wall between that joins two rooms
-  double min_open_of_part = 0.3; ///< the same if one is too small or too open to be a
-                                 ///< room
-  double max_open = 0.4;         ///< share of a room's outline that doors may be
-  double smallest_room = 1.0;    ///< square metres
+  BorderOdds odds;
 };
 
 } // namespace pcl::sedr

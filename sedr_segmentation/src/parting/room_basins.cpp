@@ -96,13 +96,11 @@ roomBasins(const AirGaps& air,
            const std::vector<float>& dip,
            const PartingParameters& parameters)
 {
-  std::vector<std::uint8_t> is_level(air.size());
-  for (std::size_t g = 0; g < air.size(); ++g)
-    is_level[g] = dip[g] < parameters.lintel ? 1 : 0;
   const std::vector<std::uint8_t> is_jamb_line =
       jambLines(air, distanceToRim(air), parameters);
   std::vector<std::int32_t> label =
-      basinsOf(air, distanceToRim(air, is_level), is_jamb_line, parameters.same_basin);
+      basinsOf(air, distanceToLintel(air, dip, parameters.lintel), is_jamb_line,
+               parameters.same_basin);
   growLabels(air, is_jamb_line, label); // rooms meet in doorways
   growLabels(air, std::vector<std::uint8_t>(air.size(), 0), label);
   return label;

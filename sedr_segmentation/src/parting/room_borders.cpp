@@ -6,16 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
 namespace {
-
-RoomPair
-pairOf(std::uint32_t a, std::uint32_t b)
-{
-  return std::minmax(a, b);
-}
 
 /** @brief The gap behind the wall at which another ends, `none` if there is none within
  * `reach` columns, or no wall as seen from either of the two: where air ends at stairs,
@@ -38,163 +34,135 @@ facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach)
   return AirGaps::none;
 }
 
-/** @brief Collects the steps from one room to another, by pairs of rooms; `next` tells
- * the gap to which there is one from a gap in a direction. */
-template <typename Next>
-std::map<RoomPair, std::vector<Crossing>>
-stepsBetween(const AirGaps& air, RoomLabels& labels, Next next)
-{
-  std::map<RoomPair, std::vector<Crossing>> steps;
-  for (std::uint32_t g = 0; g < air.size(); ++g)
-    for (int d = 0; d < 4; ++d) {
-      const std::uint32_t o = next(g, d);
-      if (o == AirGaps::none || !labels.hasRoom(g) || !labels.hasRoom(o))
-        continue;
-      const std::uint32_t a = labels.roomOf(g);
-      const std::uint32_t b = labels.roomOf(o);
-      if (a < b)
-        steps[{a, b}].push_back({g, o});
-      else if (b < a && air.link(g, d) == AirGaps::none)
-        steps[{b, a}].push_back({o, g}); // one climbs one way, links go both
-    }
-  return steps;
-}
-
 } // namespace
 
-std::map<RoomPair, std::vector<Crossing>>
-waysBetween(const AirGaps& air, RoomLabels& labels)
+void
+RoomBorder::add(const RoomBorder& other)
 {
-  return stepsBetween(air, labels, [&](std::uint32_t g, int d) {
-    return air.isDrop(g, d)                  ? AirGaps::none
-           : air.link(g, d) == AirGaps::none ? air.climb(g, d)
-                                             : air.link(g, d);
-  });
+  links += other.links;
+  walls += other.walls;
+  drops += other.drops;
+  dip += other.dip;
+  stacked += other.stacked;
+  clear = std::max(clear, other.clear);
 }
 
 RoomBorders::RoomBorders(const AirGaps& air,
+                         const std::vector<float>& dip,
                          const PartingParameters& parameters,
                          RoomLabels& labels)
-    : labels_(labels)
-    , column_area_(air.columns().cellSize() * air.columns().cellSize())
+    : parameters_(parameters)
+    , labels_(labels)
+    , cell_(air.columns().cellSize())
     , rooms_(labels.sizes().size())
 {
   measureRooms(air);
-  const auto link = [&](std::uint32_t g, int d) { return air.link(g, d); };
-  for (auto& [pair, crossings] : stepsBetween(air, labels, link))
-    borders_[pair].crossings = std::move(crossings);
-  countWalls(air, static_cast<int>(std::lround(2 * parameters.lintel_reach /
-                                               air.columns().cellSize())));
-  for (auto& [pair, border] : borders_) {
-    rooms_[pair.first].beside.insert(pair.second);
-    rooms_[pair.second].beside.insert(pair.first);
-  }
+  measureBorders(air, dip);
 }
 
-double
-RoomBorders::openShare(std::uint32_t room) const
+RoomOdds
+RoomBorders::oddsOfOne(std::uint32_t a, std::uint32_t b) const
 {
-  std::size_t open = 0;
-  for (const std::uint32_t other : rooms_[room].beside)
-    open += between(pairOf(room, other)).crossings.size();
-  return static_cast<double>(open) /
-         static_cast<double>(std::max<std::size_t>(1, open + rooms_[room].ends));
-}
-
-bool
-RoomBorders::areStacked(const RoomPair& pair) const
-{
-  constexpr double most = 0.5; // of the gaps of the smaller room
-  const auto [a, b] = pair;
-  const auto shared = rooms_[a].stacked.find(b);
-  return shared != rooms_[a].stacked.end() &&
-         static_cast<double>(shared->second) * column_area_ >
-             most * std::min(rooms_[a].area, rooms_[b].area);
+  const BorderOdds& odds = parameters_.odds;
+  const RoomBorder& border = rooms_[a].beside.at(b);
+  if (border.links == 0)
+    return {};
+  const auto leastOf = [&](const auto& measure) {
+    return std::min(measure(rooms_[a]), measure(rooms_[b]));
+  };
+  const double gaps = leastOf([](const RoomExtent& r) { return r.gaps; });
+  const double depth = leastOf([](const RoomExtent& r) { return r.depth; });
+  const double outline = leastOf([&](const RoomExtent& r) {
+    return r.links / (r.links + r.ends + odds.unseen_outline / cell_);
+  });
+  const double shorter = leastOf([](const RoomExtent& r) { return r.links + r.ends; });
+  const double share = border.links / (shorter + odds.unseen_outline / cell_);
+  const double unseen = odds.unseen_border / cell_;
+  RoomOdds found;
+  found.by_border =
+      odds.any + odds.dip * std::min(border.dip / border.links, 1.0) +
+      odds.open * std::log((border.links + unseen) / (border.walls + unseen)) +
+      odds.neck * std::pow(std::min(border.clear / depth, 1.0), 2);
+  found.by_all = depth < parameters_.min_way / 2
+                     ? std::numeric_limits<double>::infinity()
+                     : found.by_border + odds.drop * border.drops / border.links +
+                           odds.stacked * std::min(border.stacked / gaps, 1.0) +
+                           odds.depth * std::log(std::min(depth, 1.0)) +
+                           odds.outline * outline * outline +
+                           odds.share * std::max(share - 0.2, 0.0);
+  return found;
 }
 
 void
-RoomBorders::join(const RoomPair& pair)
+RoomBorders::join(std::uint32_t a, std::uint32_t b)
 {
-  const auto [a, b] = pair;
   labels_.join(a, b);
   RoomExtent& into = rooms_[a];
-  RoomExtent& joined = rooms_[b];
-  into.area += joined.area;
+  const RoomExtent joined = std::exchange(rooms_[b], {});
+  into.gaps += joined.gaps;
   into.depth = std::max(into.depth, joined.depth);
   into.ends += joined.ends;
-  into.floors.add(joined.floors);
-  into.roofs.add(joined.roofs);
-  borders_.erase(pair);
+  into.links += joined.links - 2 * joined.beside.at(a).links;
   into.beside.erase(b);
-  joined.beside.erase(a);
-  for (const std::uint32_t other : joined.beside) {
-    RoomBorder moved = std::move(borders_.extract(pairOf(b, other)).mapped());
-    RoomBorder& border = borders_[pairOf(a, other)];
-    for (Crossing c : moved.crossings) {
-      if (labels_.roomOf(c.from) > labels_.roomOf(c.to))
-        std::swap(c.from, c.to);
-      border.crossings.push_back(c);
-    }
-    border.walls += moved.walls;
-    rooms_[other].beside.erase(b);
-    rooms_[other].beside.insert(a);
-    into.beside.insert(other);
-  }
-  joined.beside.clear();
-  into.stacked.erase(b);
-  for (const auto& [other, pairs] : joined.stacked) {
-    rooms_[other].stacked.erase(b);
+  for (const auto& [other, border] : joined.beside) {
     if (other == a)
       continue;
-    into.stacked[other] += pairs;
-    rooms_[other].stacked[a] += pairs;
+    into.beside[other].add(border);
+    rooms_[other].beside[a].add(border);
+    rooms_[other].beside.erase(b);
   }
-  joined.stacked.clear();
 }
 
 void
 RoomBorders::measureRooms(const AirGaps& air)
 {
-  const double cell = air.columns().cellSize();
-  for (std::size_t r = 0; r < rooms_.size(); ++r)
-    rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * column_area_;
   const std::vector<float> free = distanceToRim(air);
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (labels_.hasRoom(g)) {
-      RoomExtent& own = rooms_[labels_.roomOf(g)];
-      own.depth = std::max<double>(own.depth, free[g] * cell);
-      own.floors.add(air.columns().heightOf(air[g].low));
-      for (std::uint32_t o = air.first(air[g].column); o < g; ++o) {
-        if (air.height(o) >= air.parameters().headroom)
-          own.roofs.add(air.columns().heightOf(air[o].high));
+      const std::uint32_t r = labels_.roomOf(g);
+      ++rooms_[r].gaps;
+      rooms_[r].depth = std::max<double>(rooms_[r].depth, free[g] * cell_);
+      for (std::uint32_t o = air.first(air[g].column); o < g; ++o)
         if (labels_.hasRoom(o) && !labels_.isSameRoom(o, g)) {
-          ++own.stacked[labels_.roomOf(o)];
-          ++rooms_[labels_.roomOf(o)].stacked[labels_.roomOf(g)];
+          ++rooms_[r].beside[labels_.roomOf(o)].stacked;
+          ++rooms_[labels_.roomOf(o)].beside[r].stacked;
         }
-      }
     }
 }
 
-/** @brief Counts where rooms end, and where behind it another begins. */
 void
-RoomBorders::countWalls(const AirGaps& air, int reach)
+RoomBorders::measureBorders(const AirGaps& air, const std::vector<float>& dip)
 {
-  std::map<RoomPair, std::size_t> faces;
+  const auto reach =
+      static_cast<int>(std::lround(2 * parameters_.lintel_reach / cell_));
+  const std::vector<float> clear = distanceToLintel(air, dip, parameters_.lintel);
   for (std::uint32_t g = 0; g < air.size(); ++g) {
     if (!labels_.hasRoom(g))
       continue;
+    RoomExtent& room = rooms_[labels_.roomOf(g)];
     for (int d = 0; d < 4; ++d) {
-      if (air.link(g, d) != AirGaps::none)
-        continue;
-      ++rooms_[labels_.roomOf(g)].ends;
-      const std::uint32_t faced = facedFrom(air, g, d, reach);
+      const std::uint32_t o = air.link(g, d);
+      const std::uint32_t faced =
+          o == AirGaps::none ? facedFrom(air, g, d, reach) : AirGaps::none;
+      if (o == AirGaps::none)
+        ++room.ends;
+      else if (labels_.hasRoom(o) && !labels_.isSameRoom(o, g)) {
+        RoomBorder& border = room.beside[labels_.roomOf(o)];
+        ++room.links;
+        ++border.links;
+        border.drops += air.isDrop(g, d) ? 1 : 0;
+        border.dip += std::max(dip[g], dip[o]);
+        border.clear =
+            std::max<double>(border.clear, std::max(clear[g], clear[o]) * cell_);
+      }
       if (faced != AirGaps::none && labels_.hasRoom(faced) &&
-          !labels_.isSameRoom(faced, g))
-        ++faces[pairOf(labels_.roomOf(g), labels_.roomOf(faced))];
+          !labels_.isSameRoom(faced, g)) {
+        const std::uint32_t other = labels_.roomOf(faced);
+        room.beside[other].walls += 0.5; // each is met from both sides
+        rooms_[other].beside[labels_.roomOf(g)].walls += 0.5;
+      }
     }
   }
-  for (const auto& [pair, n] : faces)
-    borders_[pair].walls = (n + 1) / 2; // each is met from both sides
 }
 
 } // namespace pcl::sedr

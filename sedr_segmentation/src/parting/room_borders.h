@@ -5,75 +5,69 @@
 #include "../air/height_counts.h"
 #include "parting_parameters.h"
 #include "room_labels.h"
-#include "room_opening.h"
 
-#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
 
-/** @brief Two rooms, the lower number first. */
-using RoomPair = std::pair<std::uint32_t, std::uint32_t>;
-
-/** @brief What is between two rooms. */
+/** @brief What is between two rooms, summed up along their border. */
 struct RoomBorder {
-  std::vector<Crossing> crossings;
-  std::size_t walls = 0; ///< ends of air that face the other room's across a wall
-};
+  double links = 0;   ///< of the air of one room to that of the other
+  double walls = 0;   ///< ends of air that face the other room's across a wall
+  double drops = 0;   ///< links over the edge of a gallery
+  double dip = 0;     ///< metres, of the ceiling at each link
+  double stacked = 0; ///< pairs of gaps of both in one column
+  double clear = 0;   ///< metres; the most that a link is away from rims and lintels
 
-/** @brief The ways from one room to another, by pairs of rooms: their links, but for
- * those over the edge of a gallery, and where one climbs through a slab, see
- * AirGaps::isDrop() and AirGaps::climb(). O(links). */
-std::map<RoomPair, std::vector<Crossing>> waysBetween(const AirGaps& air,
-                                                      RoomLabels& labels);
+  void add(const RoomBorder& other);
+};
 
 /** @brief What is known of a room while rooms are joined. */
 struct RoomExtent {
-  double area = 0;                ///< square metres
-  double depth = 0;               ///< of the place farthest from its rim, metres
-  std::size_t ends = 0;           ///< where its air ends
-  HeightCounts floors;            ///< of its gaps
-  HeightCounts roofs;             ///< of the air below them in which one can stand
-  std::set<std::uint32_t> beside; ///< rooms with which it has a border
-  std::map<std::uint32_t, std::size_t> stacked; ///< pairs of a gap and one of another
-                                                ///< room in the same column
+  double gaps = 0;
+  double depth = 0; ///< of the place farthest from its rim, metres
+  double ends = 0;  ///< where its air ends
+  double links = 0; ///< to other rooms
+  std::map<std::uint32_t, RoomBorder> beside; ///< borders with other rooms
+};
+
+/** @brief Logarithms of the odds that two rooms are one, not two, see BorderOdds. */
+struct RoomOdds {
+  double by_border = 0;                                     ///< by what is between them
+  double by_all = -std::numeric_limits<double>::infinity(); ///< and by what they are
 };
 
 /** @brief The rooms of a building and the borders between them, which are joined. */
 class RoomBorders {
 public:
   /** @brief O(gaps).
-   * @param labels of the gaps; must outlive this */
+   * @param dip of each gap, see dipOfCeiling()
+   * @param labels of the gaps; must outlive this, as must the parameters */
   RoomBorders(const AirGaps& air,
+              const std::vector<float>& dip,
               const PartingParameters& parameters,
               RoomLabels& labels);
 
-  const std::map<RoomPair, RoomBorder>& borders() const { return borders_; }
-  const RoomBorder& between(const RoomPair& pair) const { return borders_.at(pair); }
+  std::size_t size() const { return rooms_.size(); }
   const RoomExtent& room(std::uint32_t r) const { return rooms_[r]; }
 
-  /** @brief Share of a room's outline at which it goes on into others. */
-  double openShare(std::uint32_t room) const;
-
-  /** @brief Whether most of the smaller of two rooms lies above or below the other, by
-   * their pairs of gaps. */
-  bool areStacked(const RoomPair& pair) const;
+  /** @brief The odds that two rooms between which there is a border are one. */
+  RoomOdds oddsOfOne(std::uint32_t a, std::uint32_t b) const;
 
   /** @brief Joins the second of two rooms to the first, and its borders. */
-  void join(const RoomPair& pair);
+  void join(std::uint32_t a, std::uint32_t b);
 
 private:
   void measureRooms(const AirGaps& air);
-  void countWalls(const AirGaps& air, int reach);
+  void measureBorders(const AirGaps& air, const std::vector<float>& dip);
 
+  const PartingParameters& parameters_;
   RoomLabels& labels_;
-  double column_area_; ///< square metres
+  double cell_;
   std::vector<RoomExtent> rooms_;
-  std::map<RoomPair, RoomBorder> borders_;
 };
 
 } // namespace pcl::sedr

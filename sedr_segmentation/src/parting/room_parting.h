@@ -20,12 +20,10 @@ struct PartedAir {
 };
 
 /** @brief Parts air into rooms: basins of the distance from what ends the air (see
- * roomBasins()), of which neighbours are joined again unless a wall is between them.
- * Two are parted by what is between them as a whole: if walls make up most of it, or if
- * all openings are doors or passages (see isDoor()). What lies above each other is
- * never joined, nor are floors a step of a storey apart. Rooms are numbered by size,
- * largest first; each is one height field, of which the tallest gap of a column stays.
- * O(gaps log gaps). */
+ * roomBasins()), of which neighbours are joined again while they are more likely one
+ * room than two (see BorderOdds), the most likely first, each time judged by all that
+ * is then between them. Rooms are numbered by size, largest first; each is one height
+ * field, of which the tallest gap of a column stays. O(gaps log gaps). */
 PartedAir partIntoRooms(const AirGaps& air, const PartingParameters& parameters);
 
 } // namespace pcl::sedr

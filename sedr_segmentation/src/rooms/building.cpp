@@ -278,10 +278,7 @@ findBuilding(const PointView& points,
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
                           parameters.threads);
   const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
-  PartingParameters of_parting;
-  of_parting.widest_door = parameters.widest_door;
-  of_parting.widest_passage = parameters.widest_passage;
-  of_parting.smallest_room = parameters.minimum_area;
+  const PartingParameters of_parting;
   VoxelColumns seen = half.halved(parameters.threads);
   seen.keepSurfaces(parameters.threads); // before holes are closed to strays
   const VoxelColumns columns = withHolesClosed(seen, parameters.threads);

@@ -18,7 +18,6 @@ problemOf(const BuildingParameters& parameters)
       {"the grid size", parameters.cell_size, "m"},
       {"the minimum area", parameters.minimum_area, "square metres"},
       {"the headroom", parameters.headroom, "m"},
-      {"the widest door", parameters.widest_door, "m"},
       {"the storey step", parameters.storey_step, "m"},
   };
   for (const auto& p : positive)
@@ -28,11 +27,6 @@ problemOf(const BuildingParameters& parameters)
   if (!(parameters.minimum_enclosure >= 0 && parameters.minimum_enclosure <= 1))
     return "the minimum enclosure must be within 0 and 1, it is " +
            std::to_string(parameters.minimum_enclosure);
-  if (!(parameters.widest_passage >= parameters.widest_door) ||
-      !std::isfinite(parameters.widest_passage))
-    return "the widest passage, " + std::to_string(parameters.widest_passage) +
-           " m, must not be narrower than the widest door, " +
-           std::to_string(parameters.widest_door) + " m";
   return {};
 }
 

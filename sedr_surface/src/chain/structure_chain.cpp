@@ -30,7 +30,6 @@ StructureChain::setPriors(const Priors& priors)
 {
   priors_ = priors;
   room_segmentation.setHeadroom(priors.min_headroom);
-  room_segmentation.setWidestDoor(priors.max_door_width);
   plane_detection.setPriors(priors);
   floorplan_fitting.setPriors(priors);
   opening_detection.setPriors(priors);

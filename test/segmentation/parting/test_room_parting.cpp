@@ -67,7 +67,7 @@ addRoomsWithPier(AirScene& scene, double width, double head)
 TEST(PartRooms, AColumnInAWideOpeningBelowABeamPartsNothing)
 {
   forBothTurns([](AirScene& scene) {
-    addRoomsWithPier(scene, 2.4, 2.51);
+    addRoomsWithPier(scene, 2.7, 2.51);
     EXPECT_EQ(Parted(scene).rooms(), 1u);
   });
 }

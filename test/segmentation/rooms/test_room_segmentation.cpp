@@ -76,17 +76,13 @@ TEST(RoomSegmentation, TakesItsDefaultsFromTheParameters)
   EXPECT_EQ(segmentation.getHeadroom(), defaults.headroom);
   EXPECT_EQ(segmentation.getMinimumArea(), defaults.minimum_area);
   EXPECT_EQ(segmentation.getMinimumEnclosure(), defaults.minimum_enclosure);
-  EXPECT_EQ(segmentation.getWidestDoor(), defaults.widest_door);
-  EXPECT_EQ(segmentation.getWidestPassage(), defaults.widest_passage);
   EXPECT_EQ(segmentation.getStoreyStep(), defaults.storey_step);
   EXPECT_EQ(segmentation.getNumberOfThreads(), defaults.threads);
 }
 
 /** Returns the number of rooms in two halls of 6 m x 4 m with an opening. */
 std::size_t
-roomsWithOpening(double width,
-                 double head,
-                 void (*set)(pcl::RoomSegmentation<pcl::PointXYZ>&))
+roomsWithOpening(double width, double head)
 {
   RoomPoints points;
   for (const auto& [x0, x1] : {std::pair(0.05, 6.05), std::pair(6.15, 12.15)}) {
@@ -106,26 +102,15 @@ roomsWithOpening(double width,
   points.slab(rectangle(6.05, 0.05 + from, 6.15, 0.05 + from + width), head);
   pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setInputCloud(points.cloud());
-  set(segmentation);
   std::vector<pcl::PointIndices> rooms;
   EXPECT_TRUE(segmentation.segment(rooms)) << segmentation.getErrorMessage();
   return rooms.size();
 }
 
-TEST(RoomSegmentation, AnOpeningWiderThanThePassagesAskedForPartsNothing)
+TEST(RoomSegmentation, AWideOpeningPartsTwoHallsOnlyBelowALintel)
 {
-  using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
-  EXPECT_EQ(roomsWithOpening(2.8, 2.21, [](Segmentation&) {}), 2u);
-  EXPECT_EQ(roomsWithOpening(2.8, 2.21, [](Segmentation& s) { s.setWidestPassage(2); }),
-            1u);
-}
-
-TEST(RoomSegmentation, AnOpeningWithoutALintelPartsUpToFourFifthsOfTheWidestDoor)
-{
-  using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
-  EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation&) {}), 1u);
-  EXPECT_EQ(roomsWithOpening(2, 2.81, [](Segmentation& s) { s.setWidestDoor(2.8); }),
-            2u);
+  EXPECT_EQ(roomsWithOpening(3, 2.21), 2u);
+  EXPECT_EQ(roomsWithOpening(3, 2.81), 1u);
 }
 
 TEST(RoomSegmentation, FloorsApartByMoreThanTheStoreyStepAreTwoStoreys)

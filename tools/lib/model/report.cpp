@@ -76,8 +76,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"minimum_room_area", c.room_segmentation.getMinimumArea()},
           {"headroom", c.room_segmentation.getHeadroom()},
           {"minimum_enclosure", c.room_segmentation.getMinimumEnclosure()},
-          {"widest_door", c.room_segmentation.getWidestDoor()},
-          {"widest_passage", c.room_segmentation.getWidestPassage()},
           {"storey_step", c.room_segmentation.getStoreyStep()},
           {"boundary_angle_degrees", pcl::rad2deg(chain.getBoundaryAngle())},
           {"boundary_neighbors", chain.getBoundaryNeighbors()},

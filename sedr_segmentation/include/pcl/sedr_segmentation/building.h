@@ -21,8 +21,6 @@ struct BuildingParameters {
   double headroom = 1.8;           ///< minimum height of a gap of a room
   double minimum_area = 1.0;       ///< of a room with headroom, square metres
   double minimum_enclosure = 0.15; ///< share of a room's outline with walls
-  double widest_door = 1.6; ///< a wider opening separates two rooms only below a lintel
-  double widest_passage = 4.0; ///< a wider opening never separates two rooms
   double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
   unsigned threads = 0;     ///< 0: all processors
 };

@@ -49,16 +49,6 @@ public:
   void setMinimumEnclosure(double share) { parameters_.minimum_enclosure = share; }
   double getMinimumEnclosure() const { return parameters_.minimum_enclosure; }
 
-  /** @brief Sets the maximum width of a door, an opening with a small lintel or jambs,
-   * metres. Default 1.6. */
-  void setWidestDoor(double width) { parameters_.widest_door = width; }
-  double getWidestDoor() const { return parameters_.widest_door; }
-
-  /** @brief Sets the maximum width of an opening below a lintel, metres, not less than
-   * that of a door. Default 4. */
-  void setWidestPassage(double width) { parameters_.widest_passage = width; }
-  double getWidestPassage() const { return parameters_.widest_passage; }
-
   /** @brief Sets the minimum height difference between floors of two storeys, metres, >
    * 0. Default 1.6. */
   void setStoreyStep(double step) { parameters_.storey_step = step; }
