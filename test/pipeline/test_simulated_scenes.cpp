@@ -18,12 +18,18 @@ using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
 /** @brief Returns a scan of a scene. */
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
-cloudOf(const std::string& scene, const sim::ScanOptions& options = {})
+cloudOf(const sim::Scene& scene, const sim::ScanOptions& options)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  for (const auto& p : sim::scan(sim::sceneNamed(scene), options).points)
+  for (const auto& p : sim::scan(scene, options).points)
     cloud->emplace_back(p.x, p.y, p.z);
   return cloud;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+cloudOf(const std::string& scene, const sim::ScanOptions& options = {})
+{
+  return cloudOf(sim::sceneNamed(scene), options);
 }
 
 /** @brief Returns the closed structural mesh of a scene, in the frame of its scan. */
@@ -151,6 +157,32 @@ TEST(Chain, leaves_a_wall_of_windows_where_it_is)
   };
   EXPECT_EQ(wallsOf("big_windows", noiseAndSeed(0.01, 3)), 4U);
   EXPECT_EQ(wallsOf("l_room", noiseAndSeed(0.005, 1)), 6U);
+}
+
+TEST(Chain, leaves_a_wall_of_windows_where_its_lintel_is)
+{
+  // Neither at the pane, nor on the line of the other room's wall, 31 cm before it.
+  const sim::Scene scene = sim::parseScene(R"({"format": "sedr-scene", "version": 1,
+    "name": "windows", "summary": "a wall of windows", "rooms": [
+      {"name": "west", "outline": [[0, 0], [5.7, 0], [5.7, 5.2], [0, 5.2]],
+       "floor": 0, "ceiling": 3.28, "openings": [
+         {"wall": 0, "from": 1, "to": 3, "sill": 0.9, "head": 2.1, "depth": 0.3,
+          "glazing": {}}]},
+      {"name": "east", "outline": [[5.86, 0.36], [10.6, 0.36], [10.6, 5.51], [5.86, 5.51]],
+       "floor": 0, "ceiling": 3.28, "openings": [
+         {"wall": 3, "from": 1.76, "to": 2.83, "sill": 0, "head": 2.1, "depth": 0.16,
+          "leads_to": "west"},
+         {"wall": 2, "from": 0.12, "to": 4.62, "sill": 0.05, "head": 2.7, "depth": 0.3,
+          "glazing": {}}]}],
+    "scanners": [{"stations": [[2, 2, 1.6], [3.5, 3, 1.6], [8, 2, 1.6], [9, 3.5, 1.6]],
+      "rays": 250000, "noise": 0.01, "jitter": 0.5}]})",
+                                           "windows");
+  Reconstruction chain;
+  chain.setInputCloud(cloudOf(scene, noiseAndSeed(0.01, 1)));
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 2U);
+  EXPECT_NEAR(chain.getFloorplan()->rooms[0].area(), 5.7 * 5.2, 0.1);
+  EXPECT_NEAR(chain.getFloorplan()->rooms[1].area(), 4.74 * 5.15, 0.1);
 }
 
 TEST(Chain, finds_all_corners_of_soffit_and_recess)

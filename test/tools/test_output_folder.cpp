@@ -56,9 +56,11 @@ protected:
 TEST_F(ResultSet, ReplacesTheOneOfAnEarlierRunAndNothingElse)
 {
   write(1);
-  for (const char* mine : {"model/notes.html", "model/floorplan_1.svg", "outside"})
+  for (const char* mine : {"model/notes.html", "model/floorplan_1.svg", "outside",
+                           "model/floorplan.json"})
     writeFile(in(mine), "mine");
   write(2);
+  EXPECT_EQ(bytesOf(in("model/floorplan.json~")), "mine") << "edited by hand";
   EXPECT_EQ(files().count("pictures/of_1"), 0u);
   EXPECT_EQ(files().count("pictures/of_2"), 1u);
   EXPECT_EQ(bytesOf(in("model/file7")), "2");

@@ -5,6 +5,7 @@
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
 #include <array>
@@ -40,11 +41,11 @@ struct SharedWall {
 };
 
 /** @brief Returns the longest stretch at which two rooms face each other through a wall
- * of up to 0.6 m; of no length if there is none. */
+ * as thick as walls may be; of no length if there is none. */
 SharedWall
 longestWall(const PlanRoom& room, const PlanRoom& other)
 {
-  constexpr double thickest = 0.6;
+  const double thickest = Priors().max_wall;
   constexpr double parallel = 0.0872; // sine of 5 degrees
   SharedWall best;
   for (std::size_t a = 0; a < room.boundary.elements.size(); ++a)
@@ -81,6 +82,17 @@ appendAround(const PlanLoop& loop,
   for (std::size_t i = 1; i < all.size(); ++i)
     elements.push_back(all[(k + i) % all.size()]);
   elements.push_back(all[k].part(0, t));
+}
+
+/** @brief Returns whether two outlines have the same corners and arcs. */
+bool
+isSame(const PlanLoop& a, const PlanLoop& b)
+{
+  return std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),
+                    b.elements.end(), [](const PlanElement& e, const PlanElement& f) {
+                      return e.start == f.start && e.end == f.end &&
+                             e.centre == f.centre && e.radius == f.radius;
+                    });
 }
 
 /** @brief Shifts and turns an element. */
@@ -121,7 +133,12 @@ PlanEditor::apply(std::uint32_t room,
         problem_ = "the outline of room " + std::to_string(r.id) + " then " + wrong;
   if (!problem_.empty())
     return false;
-  attachOpenings(changed);
+  attachOpenings(
+      [this](const PlanRoom& r) {
+        const PlanRoom* const before = findRoom(plan_, r.id);
+        return !before || !isSame(before->boundary, r.boundary);
+      },
+      changed);
   plan_ = std::move(changed);
   return true;
 }

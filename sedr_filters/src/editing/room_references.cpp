@@ -53,7 +53,7 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
 }
 
 void
-attachOpenings(Floorplan& plan)
+attachOpenings(const std::function<bool(const PlanRoom&)>& isChanged, Floorplan& plan)
 {
   constexpr double reach = 0.5; // metres from the face
   const auto attach = [&](PlanOpening& opening) {
@@ -64,6 +64,10 @@ attachOpenings(Floorplan& plan)
       const PlanRoom* const room = findRoom(plan, wall.room);
       if (!room)
         continue;
+      if (!isChanged(*room)) {
+        walls.push_back(wall);
+        continue;
+      }
       double nearest = opening.depth / 2 + reach;
       std::optional<std::size_t> element;
       for (std::size_t e = 0; e < room->boundary.elements.size(); ++e) {

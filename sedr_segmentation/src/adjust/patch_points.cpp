@@ -45,6 +45,10 @@ PatchPoints::PatchPoints(const Floorplan& plan,
   problem_ = tabulate();
   if (problem_.empty())
     gather(raw, indices);
+  if (problem_.empty() && points_.empty())
+    problem_ = "none of the " +
+               std::to_string(indices.empty() ? raw.size() : indices.size()) +
+               " points of the scan lies at a surface of the plan";
 }
 
 void

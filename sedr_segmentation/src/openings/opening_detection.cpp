@@ -7,6 +7,8 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/opening_detection.hpp>
 
+#include <algorithm>
+
 namespace pcl::sedr {
 
 std::string
@@ -27,13 +29,17 @@ findOpenings(const PointView& points,
     problem = "the floor plan has no rooms";
   if (!problem.empty())
     return problem;
-  plan.openings.clear();
   OpeningParameters parameters;
   parameters.sizes.max_depth = priors.max_wall;
   parameters.sizes.before = priors.max_furniture_depth;
   parameters.threads = threads;
   auto found =
       std::make_shared<OpeningSearch>(plan, points, indices.get(), sight, parameters);
+  if (std::all_of(found->maps.begin(), found->maps.end(),
+                  [](const WallMap& map) { return map.points().empty(); }))
+    return "none of the " + std::to_string(indices ? indices->size() : points.size()) +
+           " points lies at a wall of the floor plan";
+  plan.openings.clear();
   findLeaves(plan, points, indices.get(), parameters.sizes, threads, found->found);
   nameOpenings(plan, *found, parameters.sizes);
   for (const FoundOpening& opening : found->found)

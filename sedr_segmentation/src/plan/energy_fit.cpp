@@ -200,8 +200,11 @@ fitPlanByEnergy(const PointView& points,
   WallLineParameters of_lines;
   of_lines.cell = grid.size();
   const std::vector<Storey> storeys = storeysOf(cells, grid, of_lines, threads);
+  RegionEnergy of_regions;
+  of_regions.max_wall = parameters.priors.max_wall;
+  of_regions.max_doorway = 1.5 * parameters.priors.max_wall;
   const std::vector<RoomRegion> regions =
-      roomRegions(cells, storeys, grid, {}, threads);
+      roomRegions(cells, storeys, grid, of_regions, threads);
   std::vector<PlanRoom> rooms(numbers.size());
   std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
   noise.resize(storeys.size());

@@ -19,6 +19,7 @@ RevealSearch::RevealSearch(const RoomCells& room,
     , seen_(closed(room.seen, 2))
     , closed_(dilated(around.opaque, 2))
     , next_(dilated(around.others, 2))
+    , pillar_(dilated(room.pillar, 2))
     , above_(closed(room.riser, 2.5))
     , below_(closed(room.base, 2.5))
     , found_{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
@@ -64,27 +65,33 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
     return;
   const double size = grid_.size();
   const double step = size / 2;
-  const double farthest = energy_.max_wall + 3 * size;
-  double depth = 0; // of the seen air behind the line
-  while (depth < farthest && is(seen_, p + (depth + step) * out))
-    depth += step;
-  const bool in_gap = what != AlongLine::Ended;
-  const Eigen::Vector2d end = p + (depth + step) * out;
-  const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
-                         (in_gap || !is(next_, end));
   const auto isAt = [&](const CellMask& wall) {
     return is(wall, p) || is(wall, p + size * out) || is(wall, p - size * out);
   };
   // The side of a soffit that ends at a wall is no lintel.
   const bool goes_on = what == AlongLine::Lower ||
                        (what == AlongLine::Gap && (isAt(below_) || isAt(above_)));
-  const bool is_shallow = goes_on && depth > 1.5 * size && depth < energy_.max_wall;
+  const double farthest = energy_.max_doorway + 3 * size;
+  double depth = 0;        // of the seen air behind the line
+  bool has_lintel = false; // in it: there is the face of the wall
+  while (depth < farthest && is(seen_, p + (depth + step) * out)) {
+    depth += step;
+    has_lintel = has_lintel || (depth > 2 * size && is(above_, p + depth * out));
+  }
+  const bool in_gap = what != AlongLine::Ended;
+  const Eigen::Vector2d end = p + (depth + step) * out;
+  const double thickest =
+      goes_on && is(next_, end) ? energy_.max_doorway : energy_.max_wall;
+  const bool is_reveal =
+      depth > 0 && depth < thickest && !is(closed_, end) &&
+      (in_gap || !(is(next_, end) || is(pillar_, end) || has_lintel));
+  const bool is_shallow = goes_on && depth > 1.5 * size && depth < thickest;
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;
     if ((is_reveal || is_shallow) && d <= depth)
       mark(found_.reveal, q);
-    in_wall = in_wall && d < energy_.max_wall && !is(air_, q);
+    in_wall = in_wall && d < thickest && !is(air_, q);
     if (in_wall)
       mark(found_.wall, q);
   }

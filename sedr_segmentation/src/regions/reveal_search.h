@@ -53,6 +53,7 @@ private:
   CellMask seen_;
   CellMask closed_; ///< near opaque surfaces
   CellMask next_;   ///< near the air of other rooms
+  CellMask pillar_; ///< near what may be columns
   CellMask above_;  ///< walls that go on above an opening,
   CellMask below_;  ///< and below it
   BehindLines found_;

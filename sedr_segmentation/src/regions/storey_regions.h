@@ -28,9 +28,10 @@ struct RegionEnergy {
   double reveal = 0.3;
   double unseen = 0.6;
   double wall = 3;
-  double max_wall = 0.6; ///< metres; a recess behind a line that is no deeper is a
-                         ///< reveal: one with an open back, or one above or below
-                         ///< which the wall goes on
+  double max_wall = 0.6;    ///< Priors::max_wall; a recess behind a line that is no
+                            ///< deeper is a reveal: one with an open back, or one
+                            ///< above or below which the wall goes on,
+  double max_doorway = 0.9; ///< so deep where another room is behind that
 };
 
 /** @brief The region of a room in plan. */

@@ -39,6 +39,7 @@ storeysOf(const std::vector<RoomCells>& rooms,
   }
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     std::vector<SurfacePlace> places;
+    std::vector<SurfacePlace> lintels;
     std::vector<Eigen::Vector2d> lower;
     for (const std::size_t r : order) {
       if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
@@ -47,14 +48,23 @@ storeysOf(const std::vector<RoomCells>& rooms,
       for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i) {
         if (rooms[r].base.values()[i])
           lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
+        const auto room = static_cast<std::uint32_t>(r);
+        if (rooms[r].riser.values()[i])
+          lintels.push_back({grid.centre(rooms[r].riser.cellAt(i)), room});
         if (!rooms[r].solid.values()[i])
           continue;
         if (!rooms[r].glass.values()[i])
-          places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
+          places.push_back({rooms[r].centres[k], room});
         ++k;
       }
     }
     storeys[s].lines = wallLines(std::move(places), lower, parameters);
+    // Of a wall of windows there may be no more than what is above them.
+    for (WallLine& line : wallLines(std::move(lintels), {}, parameters)) {
+      for (AlongLine& what : line.places)
+        what = what == AlongLine::Surface ? AlongLine::Ended : AlongLine::Nothing;
+      storeys[s].lines.push_back(std::move(line));
+    }
   });
   return storeys;
 }

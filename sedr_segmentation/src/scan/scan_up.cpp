@@ -188,7 +188,8 @@ UpDoubt
 doubtOfUp(const PointView& points,
           const std::vector<int>& indices,
           unsigned threads,
-          const Priors& priors)
+          const Priors& priors,
+          bool unit_is_known)
 {
   UpDoubt doubt;
   doubt.tilt = tiltOf(points, indices, threads, priors);
@@ -198,10 +199,12 @@ doubtOfUp(const PointView& points,
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   AirAlongAxes air(points, indices, turn, threads);
-  const AirAlongAxes in_feet(points, indices, foot * turn, threads);
-  doubt.is_in_feet = isInFeet(in_feet.likeliest(), air.likeliest(), priors);
-  if (doubt.is_in_feet)
-    air = in_feet;
+  if (!unit_is_known && foot * air.likeliest().height > priors.min_home_height / 2) {
+    const AirAlongAxes in_feet(points, indices, foot * turn, threads);
+    doubt.is_in_feet = isInFeet(in_feet.likeliest(), air.likeliest(), priors);
+    if (doubt.is_in_feet)
+      air = in_feet;
+  }
   const auto upOf = [&](std::size_t axis, int sign) -> Eigen::Vector3d {
     return sign * turn.row(static_cast<Eigen::Index>(axis));
   };

@@ -117,7 +117,7 @@ public:
     const Plane plane = planeOf(members);
     double squares = 0;
     for (const std::size_t i : members)
-      squares += std::pow(plane.distance(patches_[i].middle), 2);
+      squares += squareOff(plane, patches_[i]);
     return std::sqrt(squares / static_cast<double>(members.size()));
   }
 
@@ -136,9 +136,8 @@ public:
     double gain = 0;
     for (const std::size_t i : members)
       for (const auto& [fit, sign] : {std::pair(vertical, 1), std::pair(plane, -1)})
-        gain +=
-            sign * std::min(outlier,
-                            std::pow(fit.distance(patches_[i].middle) / sigma, 2) / 2);
+        gain += sign *
+                std::min(outlier, squareOff(fit, patches_[i]) / (2 * sigma * sigma));
     return gain;
   }
 
@@ -153,6 +152,19 @@ public:
 
 private:
   using Cell = std::array<std::int64_t, 3>;
+
+  /** @brief Returns the mean square distance of the lower and the upper edge of a patch
+   * from a plane: walls above each other, each vertical, are no tilted one. */
+  static double squareOff(const Plane& plane, const PlanePatch& patch)
+  {
+    const Eigen::Vector3d half =
+        cube_size / 2 *
+        (Eigen::Vector3d::UnitZ() - patch.normal.z() * patch.normal).normalized();
+    return (std::pow(plane.distance(patch.middle - half), 2) +
+            std::pow(plane.distance(patch.middle + half), 2)) /
+           2;
+  }
+
   static constexpr double cell_size =
       2 * cube_size; // patches in adjacent cells are connected
 

@@ -47,7 +47,7 @@ struct Usual {
   double costOf(double value) const
   {
     const double x = std::log(value * value / (low * high)) / std::log(high / low);
-    return x < 0 && !may_be_less ? x * x / 2 : std::log1p(x * x);
+    return x < 0 && !may_be_less ? 2 * x * x : std::log1p(x * x);
   }
 
   /** @brief Returns how much more likely a value is in feet, nats. */

@@ -27,7 +27,8 @@ std::string inchProblem(const PointView& points, std::size_t storeys);
  * if its heights and areas of rooms, doors, walls and heights at which a scanner stood
  * are by 2 nats more likely in feet. Of each kind the logarithm lies about the middle
  * of the range that the priors give, which is two deviations wide; some are far above
- * it, but nobody walks through what is far below. O(rooms times places).
+ * it, but below deviations are half as wide: one hits one's head. O(rooms times
+ * places).
  * @param places where the scanner stood, in the frame of the plan; may be empty */
 std::string footProblem(const Floorplan& plan,
                         const std::vector<Eigen::Vector3f>& places = {},

@@ -72,7 +72,8 @@ ChainRun::checkScan()
   if (chain_.trust_up)
     return true;
   up_doubt_ = doubtOfUp(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-                        chain_.room_segmentation.getNumberOfThreads(), chain_.priors_);
+                        chain_.room_segmentation.getNumberOfThreads(), chain_.priors_,
+                        chain_.unit_is_known);
   if (up_doubt_.isCertain())
     return fail(up_doubt_.reason);
   if (up_doubt_.isDoubtful())

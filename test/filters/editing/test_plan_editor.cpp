@@ -304,7 +304,9 @@ TEST(PlanEditor, NearlySquareCornersBecomeSquare)
 
 TEST(PlanEditor, NamesAreKeptInTheJson)
 {
-  PlanEditor editor(twoRooms());
+  Floorplan plan = twoRooms();
+  plan.openings[0].walls[0].element = 3; // another wall than the nearest
+  PlanEditor editor(plan);
   ASSERT_TRUE(editor.name(2, "Küche"));
   std::string problem;
   Floorplan read = floorplanFromJson(floorplanToJson(editor.getFloorplan()), problem);
@@ -314,6 +316,7 @@ TEST(PlanEditor, NamesAreKeptInTheJson)
   std::string json = floorplanToJson(editor.getFloorplan());
   json.replace(json.rfind("\"2\""), 3, "\"2x\"");
   EXPECT_EQ(floorplanFromJson(json, problem).rooms[1].name, "") << "of no room";
+  EXPECT_EQ(read.openings[0].walls[0].element, 3u) << "a name moves no door";
   ASSERT_TRUE(editor.name(2, ""));
   EXPECT_EQ(floorplanToJson(editor.getFloorplan()).find("names"), std::string::npos);
   EXPECT_FALSE(editor.name(7, "none"));

@@ -302,6 +302,13 @@ TEST(OpeningDetection, BadInputIsASentence)
   scene.plan.openings.emplace_back();
   EXPECT_FALSE(detection.segment(scene.plan));
   EXPECT_EQ(detection.getErrorMessage(), "there are no points");
+  const auto far = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  far->push_back({1e6F, 0, 0});
+  detection.setIndices(pcl::IndicesPtr());
+  detection.setInputCloud(far);
+  EXPECT_FALSE(detection.segment(scene.plan));
+  EXPECT_EQ(detection.getErrorMessage(),
+            "none of the 1 points lies at a wall of the floor plan");
   EXPECT_EQ(scene.plan.openings.size(), 1u) << "those that it had stay";
 }
 

@@ -133,6 +133,7 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   EXPECT_EQ(footProblem(two), "") << "halls with doors of metres";
   two.doorways[0].top = 4;
   EXPECT_EQ(footProblem(two), "") << "portals, which nobody passes in feet";
+  two.doorways[0].top = 6;
   two.rooms[1].boundary = rectangle(16, 0, 31, 10);
   EXPECT_TRUE(mentions(footProblem(two), "walls 1.00 m thick"));
 }
@@ -167,6 +168,8 @@ TEST(FootProblem, HallsAndRoomsInMetresAreNone)
   EXPECT_EQ(footProblem(planOf({8, 8, 2.6}, 150)), "")
       << "halls and a room beside them";
   EXPECT_EQ(footProblem(planOf({4, 6, 6.5}, 600)), "") << "three large halls";
+  for (const double area : {60, 100, 200, 400})
+    EXPECT_EQ(footProblem(planOf({6}, area)), "") << "one hits one's head in feet";
   EXPECT_EQ(footProblem(Floorplan()), "");
 }
 

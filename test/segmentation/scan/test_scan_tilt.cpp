@@ -101,6 +101,20 @@ TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
   EXPECT_EQ(tiltOf(sheared.view(), sheared.all()).angle, 0);
 }
 
+TEST(TiltedFaces, AWallAboveWideWindowsIsVerticalHoweverFarBehindTheirPanesAre)
+{
+  for (const double behind : {0.06, 0.08, 0.1, 0.12, 0.14}) {
+    RoomPoints room(0.05, 0.003);
+    const PlanLoop loop = rectangle(0, 0, 6, 4);
+    room.slab(loop, 0);
+    for (std::size_t wall = 1; wall < 4; ++wall)
+      room.wall(loop.elements[wall], 0, 3.1);
+    room.wall(loop.elements[0], 2.1, 3.1);
+    room.wall(segment({1, -behind}, {5, -behind}), 0.7, 2.1);
+    EXPECT_TRUE(tiltedFaces(room.view(), room.all()).empty()) << behind;
+  }
+}
+
 TEST(ScanTilt, ALevelScanHasNoneAndNorHasNothing)
 {
   const RoomPoints points =

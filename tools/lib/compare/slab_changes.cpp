@@ -97,9 +97,9 @@ struct Slab {
   std::string name;
   std::size_t cells = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(); ///< of its cells' centres
-  std::size_t known = 0;                         ///< cells in rooms of the other plan
-  std::size_t same = 0;                          ///< of those, cells at the same height
-  std::map<SlabId, std::vector<double>> rises;   ///< other heights minus own, by slab
+  std::size_t known = 0;   ///< cells in rooms of the other plan
+  std::size_t changed = 0; ///< of those, cells at another height
+  std::map<SlabId, std::vector<double>> rises; ///< of these, to the other plan, by slab
 
   bool isMain() const { return id.second < 0; }
   double area() const { return static_cast<double>(cells) * cell_size * cell_size; }
@@ -109,18 +109,18 @@ struct Slab {
    * another height. */
   bool hasChanged(double minimum_area) const
   {
-    const auto other = static_cast<double>(known - same);
+    const auto other = static_cast<double>(changed);
     return other > half * static_cast<double>(known) &&
            other * cell_size * cell_size >= minimum_area;
   }
 
-  /** @brief Returns the slab of the other plan that covers over half of this one, with
-   * the rises; the end if there is none. */
+  /** @brief Returns the slab of the other plan that covers over half of the changed
+   * cells, with the rises; the end if there is none. */
   auto successor() const
   {
     return std::find_if(rises.begin(), rises.end(), [&](const auto& other) {
       return static_cast<double>(other.second.size()) >
-             half * static_cast<double>(known);
+             half * static_cast<double>(changed);
     });
   }
 };
@@ -164,8 +164,10 @@ slabsOf(const Spots& own, const Spots& others, bool is_floor, double tolerance)
       if (const Spot* other = spotBeside(others, key, spot)) {
         const double rise = other->height - spot.height;
         ++slab.known;
-        slab.same += std::abs(rise) <= tolerance ? 1 : 0;
-        slab.rises[{other->room->id, other->detail}].push_back(rise);
+        if (std::abs(rise) > tolerance) {
+          ++slab.changed;
+          slab.rises[{other->room->id, other->detail}].push_back(rise);
+        }
       }
     }
   return slabs;

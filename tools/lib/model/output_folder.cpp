@@ -204,6 +204,22 @@ OutputFolder::written() const
   return names;
 }
 
+/** @brief Keeps a file that was edited since the run before as file~. */
+void
+OutputFolder::keepEdited(const std::string& name) const
+{
+  std::error_code error;
+  const fs::path file = path_ / name;
+  const auto written = fs::last_write_time(path_ / "report.json", error);
+  if (error || !(fs::last_write_time(file, error) > written))
+    return;
+  fs::remove(file.string() + "~", error);
+  fs::create_hard_link(file, file.string() + "~", error);
+  if (!error)
+    warnOnce("'" + file.string() + "' was changed after the run before: it is kept as " +
+             name + "~");
+}
+
 void
 OutputFolder::exchange()
 {
@@ -225,6 +241,7 @@ OutputFolder::exchange()
       emptied.push_back(folder);
   const std::lock_guard<std::mutex> lock(moving_); // interrupts wait
   is_moved_ = true;
+  keepEdited("floorplan.json");
   int problem = 0;
   for (const auto& [from, to] : moves)
     if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)

@@ -36,7 +36,7 @@ public:
   std::vector<std::string> written() const;
 
   /** @brief Moves all files into the folder, and removes those of an earlier run, which
-   * its report.json lists, except inputs. */
+   * its report.json lists, except inputs; a plan that was edited since is kept. */
   void exchange();
 
 private:
@@ -45,6 +45,7 @@ private:
   void startAwaiting(const sigset_t& awaited);
   void awaitInterrupt(sigset_t awaited);
   bool isInput(const std::filesystem::path& file) const;
+  void keepEdited(const std::string& name) const;
 
   std::filesystem::path path_;
   std::filesystem::path part_; ///< the hidden folder
