@@ -82,10 +82,11 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   const Eigen::Vector2d end = p + (depth + step) * out;
   const double thickest =
       goes_on && is(next_, end) ? energy_.max_doorway : energy_.max_wall;
-  const bool is_reveal =
-      depth > 0 && depth < thickest && !is(closed_, end) &&
-      (in_gap || !(is(next_, end) || is(pillar_, end) || has_lintel));
-  const bool is_shallow = goes_on && depth > 1.5 * size && depth < thickest;
+  const double shallow = 1.5 * size;
+  const bool is_open = in_gap || (depth > shallow && !is(next_, end) &&
+                                  !is(pillar_, end) && !has_lintel);
+  const bool is_reveal = depth > 0 && depth < thickest && !is(closed_, end) && is_open;
+  const bool is_shallow = goes_on && depth > shallow && depth < thickest;
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

@@ -318,8 +318,13 @@ roomRegions(const std::vector<RoomCells>& rooms,
     markCells(closed(own.opaque, 1.5), energy.line, own.factor);
     markCells(closed(subtract(rooms[r].solid, rooms[r].glass), 1.5), 0, own.factor);
     RevealSearch behind(rooms[r], own, grid, energy);
-    for (const WallLine& line : storeys[storey_of[r]].lines) {
+    const Storey& storey = storeys[storey_of[r]];
+    for (const WallLine& line : storey.lines) {
       markLine(line, r, grid, energy.line, own.opaque, own.factor);
+      behind.lookBehind(line);
+    }
+    for (const WallLine& line : storey.lintels) {
+      markLine(line, r, grid, energy.glass, own.opaque, own.factor);
       behind.lookBehind(line);
     }
     // A surface up to a lower ceiling is a column, or a leaf behind a line.

@@ -59,12 +59,10 @@ storeysOf(const std::vector<RoomCells>& rooms,
       }
     }
     storeys[s].lines = wallLines(std::move(places), lower, parameters);
-    // Of a wall of windows there may be no more than what is above them.
-    for (WallLine& line : wallLines(std::move(lintels), {}, parameters)) {
+    storeys[s].lintels = wallLines(std::move(lintels), {}, parameters);
+    for (WallLine& line : storeys[s].lintels)
       for (AlongLine& what : line.places)
         what = what == AlongLine::Surface ? AlongLine::Ended : AlongLine::Nothing;
-      storeys[s].lines.push_back(std::move(line));
-    }
   });
   return storeys;
 }
