@@ -266,6 +266,8 @@ PlanEditor::split(std::uint32_t room,
       keepOwn(part->niches);
     }
     const auto isSecond = [&](const Eigen::Vector2d& place) {
+      if (first.contains(place) != second.contains(place))
+        return second.contains(place);
       return second.boundary.distance(place) < first.boundary.distance(place);
     };
     const std::uint32_t id = second.id;

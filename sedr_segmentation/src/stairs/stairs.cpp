@@ -16,9 +16,7 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Adds flights to the nearest link between the floors that they join, or as a
- * new one. Others between these floors are then edges of voids, and go: air joins
- * floors, but nobody climbs there. Where a flight ends in the dark, its link tells how
- * far it leads.
+ * new one. Where a flight ends in the dark, its link tells how far it leads.
  * @param rooms at its foot and its head; 0: it ends in the dark */
 void
 addStair(std::vector<PlanFlight>&& flights,
@@ -42,19 +40,39 @@ addStair(std::vector<PlanFlight>&& flights,
   const auto isParallel = [&](const PlanStair& link) {
     return link.flights.empty() && agrees(link, 0) && agrees(link, 1);
   };
-  const PlanStair* nearest = nullptr;
-  for (const PlanStair& link : stairs)
-    if (isParallel(link) && distanceOf(link) < (nearest ? distanceOf(*nearest) : near))
-      nearest = &link;
-  if (nearest)
-    stair = {nearest->rooms, nearest->at,
-             rooms[0] == 0 ? nearest->bottom : stair.bottom,
-             rooms[1] == 0 ? nearest->top : stair.top};
-  if (stair.rooms[0] != 0 && stair.rooms[1] != 0)
-    stairs.erase(std::remove_if(stairs.begin(), stairs.end(), isParallel),
-                 stairs.end());
+  auto nearest = stairs.end();
+  for (auto link = stairs.begin(); link != stairs.end(); ++link)
+    if (isParallel(*link) &&
+        distanceOf(*link) < (nearest == stairs.end() ? near : distanceOf(*nearest)))
+      nearest = link;
+  if (nearest != stairs.end()) {
+    stair.at = nearest->at;
+    for (const std::size_t end : {0, 1})
+      if (rooms[end] == 0)
+        stair.rooms[end] = nearest->rooms[end];
+    if (rooms[0] == 0)
+      stair.bottom = nearest->bottom;
+    if (rooms[1] == 0)
+      stair.top = nearest->top;
+    stairs.erase(nearest);
+  }
   stair.flights = std::move(flights);
   stairs.push_back(std::move(stair));
+}
+
+/** @brief Drops the links without flights between rooms that flights join: there air
+ * joins the floors, but nobody climbs. */
+void
+dropVoids(std::vector<PlanStair>& stairs)
+{
+  const std::vector<PlanStair> all = stairs;
+  const auto isVoid = [&](const PlanStair& link) {
+    return link.flights.empty() &&
+           std::any_of(all.begin(), all.end(), [&](const PlanStair& stair) {
+             return !stair.flights.empty() && stair.rooms == link.rooms;
+           });
+  };
+  stairs.erase(std::remove_if(stairs.begin(), stairs.end(), isVoid), stairs.end());
 }
 
 /** @brief The direction of the walls around treads, radians modulo a quarter turn: that
@@ -143,6 +161,7 @@ addFlights(const PointView& points,
     }
     addStair(std::move(flights), {foot.room, head.room}, building.stairs);
   }
+  dropVoids(building.stairs);
 }
 
 } // namespace pcl::sedr

@@ -104,6 +104,7 @@ private:
       if (const double gain = nats(strip, number, z - number * steps.rise); gain > 0) {
         double& so_far = best[number];
         so_far = std::max(so_far, gain);
+        steps.explained.push_back(strip.patch);
         steps.treads.push_back({number, strip.patch});
         continue;
       }
@@ -111,8 +112,10 @@ private:
           std::lround((strip.box.min().x() - steps.front) / steps.going));
       const double depth = above * steps.rise - z;
       if (const double gain = nats(strip, above, 0);
-          gain > 0 && depth > steps.rise / 2 && depth < stair_priors.near)
+          gain > 0 && depth > steps.rise / 2 && depth < stair_priors.near) {
+        steps.explained.push_back(strip.patch);
         undersides[static_cast<int>(depth / (4 * stair_priors.level_sigma))] += gain;
+      }
     }
     if (best.size() < 2)
       return steps;
@@ -196,10 +199,14 @@ straightSteps(const std::vector<Tread>& treads,
     if (const double angle = *wall + k * M_PI / 2; std::cos(angle - middle) > 0.5)
       if (StraightSteps steps = alongAngle(angle); steps.nats > best.nats)
         best = std::move(steps);
-  // Treads that turn have a direction each.
+  // Treads that turn have a direction each: those that the steps leave out.
   const auto n = static_cast<double>(treads.size());
-  if (best.nats <=
-      n * (stair_priors.step_gain - std::log(n) / 2) - stair_priors.oblique)
+  const auto left_out = static_cast<double>(
+      std::count_if(treads.begin(), treads.end(), [&](const Tread& tread) {
+        return std::find(best.explained.begin(), best.explained.end(), tread.patch) ==
+               best.explained.end();
+      }));
+  if (left_out * (stair_priors.step_gain - std::log(n) / 2) > stair_priors.oblique)
     return std::nullopt;
   endAtFloors(floors, best);
   return best;

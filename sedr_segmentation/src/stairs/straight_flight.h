@@ -21,8 +21,9 @@ struct StraightSteps {
   double going = 0;
   double level = 0;
   double rise = 0;
-  double nats = 0;             ///< log-odds of what they explain
-  std::vector<Tread> treads{}; ///< by number
+  double nats = 0;                            ///< log-odds of what they explain
+  std::vector<Tread> treads{};                ///< by number
+  std::vector<const LevelPatch*> explained{}; ///< treads and undersides
 };
 
 /** @brief Intercept and slope of values of treads over their numbers, least squares. */

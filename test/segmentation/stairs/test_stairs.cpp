@@ -251,6 +251,32 @@ TEST(StairChains, TreadsThatTurnAreOneFlight)
   }
 }
 
+TEST(StairChains, AFewTreadsThatTurnAreOfTheFlightToo)
+{
+  StairScene scene;
+  scene.floor(-4, -4, 8, 8, 0);
+  Risers risers = straightRisers(10, 0.25, 0.9);
+  const Eigen::Vector2d newel(2.3, 0.45);
+  for (const double degrees : {-60.0, -30.0}) {
+    const double angle = degrees * M_PI / 180;
+    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+    risers.push_back(
+        {newel + 0.05 * way, newel + 0.9 / way.cwiseAbs().maxCoeff() * way});
+  }
+  for (int k = 0; k < 4; ++k)
+    risers.push_back(
+        {newel + Eigen::Vector2d(0, 0.25 * k), newel + Eigen::Vector2d(0.9, 0.25 * k)});
+  scene.flight(risers, 0, 0.175);
+  scene.floor(2.3, 1.2, 3.2, 3.2, 0.175 * 16);
+  const std::vector<PlanStair> stairs = scene.stairs();
+  ASSERT_EQ(stairs.size(), 1u);
+  EXPECT_EQ(stairs[0].rooms[1], 2u);
+  std::size_t steps = 0;
+  for (const PlanFlight& flight : stairs[0].flights)
+    steps += flight.steps();
+  EXPECT_EQ(steps, 16u);
+}
+
 TEST(StairChains, ATreadThatNobodySawIsBetweenThoseBesideIt)
 {
   StairScene scene;
@@ -289,12 +315,14 @@ TEST(StairChains, FlightsAreOfTheLinkThatLeadsThere)
   scene.floor(-4, -4, 8, 8, 0);
   scene.flight(straightRisers(16, 0.27, 1), 0, 0.175);
   const PlanStair edge_of_a_void{{1, 5}, {-3, -3}, 0, 2.8, {}};
-  scene.building.stairs = {edge_of_a_void, {{1, 5}, {4.2, 0}, 0, 2.8, {}}};
+  const PlanStair elsewhere{{7, 8}, {40, 0}, 0, 2.8, {}};
+  scene.building.stairs = {edge_of_a_void, elsewhere, {{1, 5}, {4.2, 0}, 0, 2.8, {}}};
   const std::vector<PlanStair> stairs = scene.stairs();
-  ASSERT_EQ(stairs.size(), 1u);
-  EXPECT_EQ(stairs[0].at.x(), 4.2);
-  EXPECT_EQ(stairs[0].rooms[1], 5u);
-  EXPECT_EQ(stairs[0].flights.size(), 1u);
+  ASSERT_EQ(stairs.size(), 2u);
+  EXPECT_EQ(stairs[0].at.x(), 40);
+  EXPECT_EQ(stairs[1].at.x(), 4.2);
+  EXPECT_EQ(stairs[1].rooms[1], 5u);
+  EXPECT_EQ(stairs[1].flights.size(), 1u);
 }
 
 TEST(StairChains, FlightsOfAPlanStandOnItsFloorsWithEqualSteps)

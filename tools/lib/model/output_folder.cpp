@@ -204,7 +204,7 @@ OutputFolder::written() const
   return names;
 }
 
-/** @brief Keeps a file that was edited since the run before as file~. */
+/** @brief Keeps a file that is newer than the report of the run before as file~. */
 void
 OutputFolder::keepEdited(const std::string& name) const
 {
@@ -213,11 +213,12 @@ OutputFolder::keepEdited(const std::string& name) const
   const auto written = fs::last_write_time(path_ / "report.json", error);
   if (error || !(fs::last_write_time(file, error) > written))
     return;
-  fs::remove(file.string() + "~", error);
-  fs::create_hard_link(file, file.string() + "~", error);
-  if (!error)
-    warnOnce("'" + file.string() + "' was changed after the run before: it is kept as " +
-             name + "~");
+  fs::copy_file(file, file.string() + "~", fs::copy_options::overwrite_existing, error);
+  if (error)
+    refuse(path_,
+           "'" + file.string() + "' was edited and cannot be kept: " + error.message());
+  warnOnce("'" + file.string() + "' was changed after the run before: it is kept as " +
+           name + "~");
 }
 
 void
@@ -235,13 +236,13 @@ OutputFolder::exchange()
   for (const auto& name : writtenFiles(path_))
     if (!std::binary_search(names.begin(), names.end(), name) && !isInput(path_ / name))
       old.push_back(path_ / name);
+  keepEdited("floorplan.json");
   std::vector<std::string> emptied; // folders, of which those that are empty go
   for (const auto& file : old)
     if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
       emptied.push_back(folder);
   const std::lock_guard<std::mutex> lock(moving_); // interrupts wait
   is_moved_ = true;
-  keepEdited("floorplan.json");
   int problem = 0;
   for (const auto& [from, to] : moves)
     if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)
