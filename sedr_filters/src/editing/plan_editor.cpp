@@ -84,17 +84,6 @@ appendAround(const PlanLoop& loop,
   elements.push_back(all[k].part(0, t));
 }
 
-/** @brief Returns whether two outlines have the same corners and arcs. */
-bool
-isSame(const PlanLoop& a, const PlanLoop& b)
-{
-  return std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),
-                    b.elements.end(), [](const PlanElement& e, const PlanElement& f) {
-                      return e.start == f.start && e.end == f.end &&
-                             e.centre == f.centre && e.radius == f.radius;
-                    });
-}
-
 /** @brief Shifts and turns an element. */
 void
 move(PlanElement& element, const Eigen::Affine2d& to)
@@ -133,12 +122,7 @@ PlanEditor::apply(std::uint32_t room,
         problem_ = "the outline of room " + std::to_string(r.id) + " then " + wrong;
   if (!problem_.empty())
     return false;
-  attachOpenings(
-      [this](const PlanRoom& r) {
-        const PlanRoom* const before = findRoom(plan_, r.id);
-        return !before || !isSame(before->boundary, r.boundary);
-      },
-      changed);
+  attachOpenings(plan_, changed);
   plan_ = std::move(changed);
   return true;
 }

@@ -9,6 +9,21 @@
 
 namespace pcl::sedr {
 
+namespace {
+
+/** @brief Returns whether two outlines have the same corners and arcs. */
+bool
+isSame(const PlanLoop& a, const PlanLoop& b)
+{
+  return std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),
+                    b.elements.end(), [](const PlanElement& e, const PlanElement& f) {
+                      return e.start == f.start && e.end == f.end &&
+                             e.centre == f.centre && e.radius == f.radius;
+                    });
+}
+
+} // namespace
+
 void
 forEachReference(Floorplan& plan,
                  const std::function<void(std::uint32_t&, const Eigen::Vector2d&)>& see)
@@ -53,7 +68,7 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
 }
 
 void
-attachOpenings(const std::function<bool(const PlanRoom&)>& isChanged, Floorplan& plan)
+attachOpenings(const Floorplan& before, Floorplan& plan)
 {
   constexpr double reach = 0.5; // metres from the face
   const auto attach = [&](PlanOpening& opening) {
@@ -64,7 +79,8 @@ attachOpenings(const std::function<bool(const PlanRoom&)>& isChanged, Floorplan&
       const PlanRoom* const room = findRoom(plan, wall.room);
       if (!room)
         continue;
-      if (!isChanged(*room)) {
+      const PlanRoom* const old = findRoom(before, wall.room);
+      if (old && isSame(old->boundary, room->boundary)) {
         walls.push_back(wall);
         continue;
       }

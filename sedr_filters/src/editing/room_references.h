@@ -18,9 +18,9 @@ void forEachReference(
  * then on both sides of itself, or of no room, goes. */
 void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
 
-/** @brief Finds the elements of changed rooms again that openings are in: those nearest
- * to their faces. Openings that no wall of their rooms is beside go. */
-void attachOpenings(const std::function<bool(const PlanRoom&)>& isChanged,
-                    Floorplan& plan);
+/** @brief Finds the elements that openings are in again, in rooms whose outline is
+ * another than before: those nearest to their faces. Openings that no wall of their
+ * rooms is beside go. */
+void attachOpenings(const Floorplan& before, Floorplan& plan);
 
 } // namespace pcl::sedr

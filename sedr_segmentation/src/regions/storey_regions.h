@@ -29,9 +29,9 @@ struct RegionEnergy {
   double unseen = 0.6;
   double wall = 3;
   double max_wall = 0.6;    ///< Priors::max_wall; a recess behind a line that is no
-                            ///< deeper is a reveal: one with an open back, or one
-                            ///< above or below which the wall goes on,
-  double max_doorway = 0.9; ///< so deep where another room is behind that
+                            ///< deeper is a reveal, if its back is open or the wall
+                            ///< goes on above or below it;
+  double max_doorway = 0.9; ///< likewise, before another room
 };
 
 /** @brief The region of a room in plan. */

@@ -29,7 +29,8 @@ standOnFloors(const Floorplan& plan, PlanStair& stair)
   };
   const double bottom = floorOf(stair.rooms[0], true, stair.bottom);
   const double top = floorOf(stair.rooms[1], false, stair.top);
-  const double scale = (top - bottom) / (stair.top - stair.bottom);
+  const double height = stair.top - stair.bottom;
+  const double scale = height > 0 ? (top - bottom) / height : 1;
   for (PlanFlight& flight : stair.flights) {
     flight.bottom = bottom + scale * (flight.bottom - stair.bottom);
     flight.rise *= scale;

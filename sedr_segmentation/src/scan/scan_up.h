@@ -39,8 +39,8 @@ struct UpDoubt {
  * floors have things on them: small pieces that stand out into the air. Floors go on
  * through doors, while walls and lintels part ceilings. Smooth relief that things do
  * not explain, such as slopes, vaults and ribs, is that of a ceiling. Lengths are taken
- * for feet where that is more likely, unless the unit is known. An inclined scan is certain, see tiltOf(). For
- * thinned points; O(n log n).
+ * for feet where that is more likely, unless the unit is known. An inclined scan is
+ * certain, see tiltOf(). For thinned points; O(n log n).
  * @param threads 0: all processors; the result does not depend on it */
 UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<int>& indices,

@@ -25,11 +25,9 @@ change(const StairStep& a, const StairStep& b)
 } // namespace
 
 StairChains::StairChains(const std::vector<LevelPatch>& patches,
-                         const RoomFloors& floors,
-                         double cell)
+                         const RoomFloors& floors)
     : patches_(patches)
     , floors_(floors)
-    , cell_(cell)
     , is_used_(patches.size(), 0)
 {
   for (std::size_t a = 0; a < patches.size(); ++a)
@@ -96,9 +94,8 @@ StairChains::addSteps(std::size_t a, std::size_t b, int steps)
   const LevelPatch& from = patches_[a];
   const LevelPatch& to = patches_[b];
   StairStep step{a, b, steps, (to.z - from.z) / steps};
-  const double reach = 3 * cell_ + steps * stair_priors.max_going;
   if (step.rise < stair_priors.min_rise || step.rise > stair_priors.max_rise ||
-      from.box.exteriorDistance(to.box) > reach ||
+      from.box.exteriorDistance(to.box) > steps * stair_priors.max_going ||
       (steps > 1 && !(from.is_tread && to.is_tread)) ||
       floors_.part(from.middle, from.z, to.middle, to.z, steps))
     return;

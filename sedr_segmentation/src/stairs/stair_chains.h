@@ -27,10 +27,7 @@ struct StairStep {
 /** @brief Chains of patches, each a step above the one before. O(p^2) for p patches. */
 class StairChains {
 public:
-  /** @param cell edge of the columns of the patches, metres */
-  StairChains(const std::vector<LevelPatch>& patches,
-              const RoomFloors& floors,
-              double cell);
+  StairChains(const std::vector<LevelPatch>& patches, const RoomFloors& floors);
 
   /** @brief Returns the best chain of patches that no other has, by dynamic
    * programming from below, its odds with its last step; empty if none is more likely
@@ -49,7 +46,6 @@ private:
 
   const std::vector<LevelPatch>& patches_;
   const RoomFloors& floors_;
-  double cell_;
   std::vector<std::uint8_t> is_used_;
   std::vector<StairStep> steps_; ///< by where they lead to
 };

@@ -2,13 +2,10 @@
 #include "stair_flights.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace pcl::sedr {
 

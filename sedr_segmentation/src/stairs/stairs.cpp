@@ -133,7 +133,7 @@ addFlights(const PointView& points,
     return;
   const RoomFloors floors(building, fine.voxelHeight());
   const std::vector<LevelPatch> patches = levelPatches(points, indices, fine, floors);
-  StairChains chains(patches, floors, fine.cellSize());
+  StairChains chains(patches, floors);
   for (std::vector<StairStep> chain = chains.next(); !chain.empty();
        chain = chains.next()) {
     std::vector<PlanFlight> flights;
