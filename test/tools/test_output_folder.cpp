@@ -56,11 +56,15 @@ protected:
 TEST_F(ResultSet, ReplacesTheOneOfAnEarlierRunAndNothingElse)
 {
   write(1);
-  for (const char* mine : {"model/notes.html", "model/floorplan_1.svg", "outside",
-                           "model/floorplan.json"})
+  for (const char* mine :
+       {"model/notes.html", "model/floorplan_1.svg", "outside", "model/floorplan.json"})
     writeFile(in(mine), "mine");
   write(2);
   EXPECT_EQ(bytesOf(in("model/floorplan.json~")), "mine") << "edited by hand";
+  writeFile(in("model/floorplan.json"), "mine too");
+  write(2);
+  EXPECT_EQ(bytesOf(in("model/floorplan.json~")), "mine");
+  EXPECT_EQ(bytesOf(in("model/floorplan.json~~")), "mine too");
   EXPECT_EQ(files().count("pictures/of_1"), 0u);
   EXPECT_EQ(files().count("pictures/of_2"), 1u);
   EXPECT_EQ(bytesOf(in("model/file7")), "2");

@@ -93,6 +93,9 @@ TEST(StructureCompare, DetailsOfCeilingAndFloor)
   EXPECT_EQ(told(with, lower),
             Lines{"moved soffit by 0.15 m (z -0.15), 4.00 m2: room_1_detail_1 -> "
                   "room_1_detail_1"});
+  Floorplan partly = with; // 40 % of the soffit
+  partly.rooms[0].details.push_back({rectangle(0, 3.7, 2, 4.5), {}, slabAt(2.1)});
+  EXPECT_EQ(told(with, partly), Lines{"appeared soffit, 1.60 m2: room_1_detail_2"});
   Floorplan aside = twoRooms();
   aside.rooms[0].details.push_back({rectangle(0, 2.9, 5, 3.7), {}, slabAt(2.4)});
   EXPECT_EQ(told(with, aside),

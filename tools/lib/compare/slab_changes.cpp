@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace pcl::sedr::tools {
 
@@ -97,8 +98,8 @@ struct Slab {
   std::string name;
   std::size_t cells = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(); ///< of its cells' centres
-  std::size_t known = 0;   ///< cells in rooms of the other plan
-  std::size_t changed = 0; ///< of those, cells at another height
+  std::size_t known = 0;                         ///< cells in rooms of the other plan
+  std::size_t changed = 0;                       ///< of those, cells at another height
   std::map<SlabId, std::vector<double>> rises; ///< of these, to the other plan, by slab
 
   bool isMain() const { return id.second < 0; }
@@ -193,6 +194,7 @@ sideChanges(const Floorplan& before,
   const auto old_slabs = slabsOf(first, second, is_floor, settings.tolerance);
   const auto new_slabs = slabsOf(second, first, is_floor, settings.tolerance);
   std::vector<Change> changes;
+  std::set<SlabId> moved; // in the plan after
   std::vector<Slab> gone;
   std::vector<Slab> come;
   for (const auto& [id, slab] : old_slabs) {
@@ -202,19 +204,17 @@ sideChanges(const Floorplan& before,
     if (successor != slab.rises.end() &&
         (successor->first.second < 0) == slab.isMain()) {
       changes.push_back(single(slab, ChangeKind::Moved));
+      moved.insert(successor->first);
       changes.back().after = {new_slabs.at(successor->first).name};
       changes.back().shift.z() = middleValue(successor->second);
     }
     else if (!slab.isMain())
       gone.push_back(slab);
   }
-  for (const auto& [id, slab] : new_slabs) {
-    const auto predecessor = slab.successor();
-    const bool is_told =
-        predecessor != slab.rises.end() && predecessor->first.second >= 0;
-    if (!slab.isMain() && slab.hasChanged(settings.minimum_area) && !is_told)
+  for (const auto& [id, slab] : new_slabs)
+    if (!slab.isMain() && slab.hasChanged(settings.minimum_area) &&
+        moved.count(id) == 0)
       come.push_back(slab);
-  }
   // A detail may have moved aside: same kind, similar size, same height.
   const auto distance = [&](const Slab& a, const Slab& b) {
     constexpr double max_ratio = 1.3; // of areas

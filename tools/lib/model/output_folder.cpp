@@ -204,21 +204,24 @@ OutputFolder::written() const
   return names;
 }
 
-/** @brief Keeps a file that is newer than the report of the run before as file~. */
+/** @brief Keeps a file that is newer than the report of the run before as file~, or
+ * file~~ if there is one already, ... */
 void
 OutputFolder::keepEdited(const std::string& name) const
 {
   std::error_code error;
-  const fs::path file = path_ / name;
   const auto written = fs::last_write_time(path_ / "report.json", error);
-  if (error || !(fs::last_write_time(file, error) > written))
+  if (error || !(fs::last_write_time(path_ / name, error) > written))
     return;
-  fs::copy_file(file, file.string() + "~", fs::copy_options::overwrite_existing, error);
+  std::string kept = name + "~";
+  while (fs::exists(fs::symlink_status(path_ / kept, error)))
+    kept += "~";
+  const std::string edited =
+      "'" + (path_ / name).string() + "' was changed after the run before";
+  fs::copy_file(path_ / name, path_ / kept, error);
   if (error)
-    refuse(path_,
-           "'" + file.string() + "' was edited and cannot be kept: " + error.message());
-  warnOnce("'" + file.string() + "' was changed after the run before: it is kept as " +
-           name + "~");
+    refuse(path_, edited + " and cannot be kept: " + error.message());
+  warnOnce(edited + ": it is kept as " + kept);
 }
 
 void
