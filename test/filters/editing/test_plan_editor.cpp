@@ -107,7 +107,8 @@ TEST(PlanEditor, FlightsStayAndLeadFromThePartThatTheirFootIsIn)
   plan.stairs = {{{1, 2}, {3.5, 1.5}, 0, 0.36, {flight}},
                  {{1, 1}, {1, 1}, 0, 0.36, {flight}}};
   PlanEditor editor(plan);
-  ASSERT_TRUE(editor.split(1, {2, -1}, {2, 4})) << editor.getErrorMessage();
+  // The upper end is nearest to the line, which both parts share.
+  ASSERT_TRUE(editor.split(1, {3.3, -1}, {3.3, 4})) << editor.getErrorMessage();
   ASSERT_TRUE(editor.drop(2)) << editor.getErrorMessage();
   expectValid(editor);
   const auto& stairs = editor.getFloorplan().stairs;

@@ -139,9 +139,10 @@ TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
   wall.wall(segment({0, 0}, {4, 0}), 0, 9);
   EXPECT_EQ(doubtOf(wall).reason, "");
   EXPECT_FALSE(doubtOf(flat()).is_in_feet);
-  const UpDoubt of_feet =
-      doubtOf(rotated(flat(), Eigen::Matrix3d::Identity() / 0.3048));
+  const RoomPoints in_feet = rotated(flat(), Eigen::Matrix3d::Identity() / 0.3048);
+  const UpDoubt of_feet = doubtOf(in_feet);
   EXPECT_TRUE(of_feet.is_in_feet);
+  EXPECT_FALSE(doubtOfUp(in_feet.view(), in_feet.all(), 1, {}, true).is_in_feet);
   EXPECT_EQ(of_feet.reason, "");
   EXPECT_EQ(doubtOfUp(PointView(), {}).reason, "");
 }

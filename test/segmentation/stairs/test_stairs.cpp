@@ -325,6 +325,18 @@ TEST(StairChains, FlightsAreOfTheLinkThatLeadsThere)
   EXPECT_EQ(stairs[1].flights.size(), 1u);
 }
 
+TEST(StairChains, AFloorThatAFlightReachesIsThatOfItsLink)
+{
+  StairScene scene;
+  scene.floor(-4, -4, 8, 8, 0);
+  scene.flight(straightRisers(16, 0.27, 1), 0, 0.175);
+  scene.floor(4.05, -1, 6, 1, 2.8);
+  scene.building.stairs = {{{1, 5}, {4.2, 0}, 0, 2.8, {}}}; // of a room beside it
+  const std::vector<PlanStair> stairs = scene.stairs();
+  ASSERT_EQ(stairs.size(), 1u);
+  EXPECT_EQ(stairs[0].rooms, (std::array<std::uint32_t, 2>{1, 2}));
+}
+
 TEST(StairChains, FlightsOfAPlanStandOnItsFloorsWithEqualSteps)
 {
   StairScene scene;
