@@ -38,7 +38,7 @@ main(int argc, char** argv)
   const RoomBorders basins(air, dip, parameters, labels);
   for (std::uint32_t r = 0; r < basins.size(); ++r) {
     const RoomExtent& basin = basins.room(r);
-    std::printf("basin %u %g %g %g\n", r, basin.gaps, basin.depth, basin.ends);
+    std::printf("basin %u %zu %g %g\n", r, labels.sizes()[r], basin.depth, basin.ends);
     for (const auto& [other, b] : basin.beside)
       if (r < other)
         std::printf("border %u %u %g %g %g %g %g %g\n", r, other, b.links, b.walls,

@@ -70,7 +70,6 @@ RoomBorders::oddsOfOne(std::uint32_t a, std::uint32_t b) const
   const auto leastOf = [&](const auto& measure) {
     return std::min(measure(rooms_[a]), measure(rooms_[b]));
   };
-  const double gaps = leastOf([](const RoomExtent& r) { return r.gaps; });
   const double depth = leastOf([](const RoomExtent& r) { return r.depth; });
   const double outline = leastOf([&](const RoomExtent& r) {
     return r.links / (r.links + r.ends + odds.unseen_outline / cell_);
@@ -86,7 +85,7 @@ RoomBorders::oddsOfOne(std::uint32_t a, std::uint32_t b) const
   found.by_all = depth < parameters_.min_way / 2
                      ? std::numeric_limits<double>::infinity()
                      : found.by_border + odds.drop * border.drops / border.links +
-                           odds.stacked * std::min(border.stacked / gaps, 1.0) +
+                           odds.stacked * border.stacked * cell_ * cell_ +
                            odds.depth * std::log(std::min(depth, 1.0)) +
                            odds.outline * outline * outline +
                            odds.share * std::max(share - 0.2, 0.0);
@@ -99,7 +98,6 @@ RoomBorders::join(std::uint32_t a, std::uint32_t b)
   labels_.join(a, b);
   RoomExtent& into = rooms_[a];
   const RoomExtent joined = std::exchange(rooms_[b], {});
-  into.gaps += joined.gaps;
   into.depth = std::max(into.depth, joined.depth);
   into.ends += joined.ends;
   into.links += joined.links - 2 * joined.beside.at(a).links;
@@ -120,7 +118,6 @@ RoomBorders::measureRooms(const AirGaps& air)
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (labels_.hasRoom(g)) {
       const std::uint32_t r = labels_.roomOf(g);
-      ++rooms_[r].gaps;
       rooms_[r].depth = std::max<double>(rooms_[r].depth, free[g] * cell_);
       for (std::uint32_t o = air.first(air[g].column); o < g; ++o)
         if (labels_.hasRoom(o) && !labels_.isSameRoom(o, g)) {

@@ -27,7 +27,6 @@ struct RoomBorder {
 
 /** @brief What is known of a room while rooms are joined. */
 struct RoomExtent {
-  double gaps = 0;
   double depth = 0; ///< of the place farthest from its rim, metres
   double ends = 0;  ///< where its air ends
   double links = 0; ///< to other rooms

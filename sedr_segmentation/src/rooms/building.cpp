@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pcl::sedr {
@@ -82,23 +81,6 @@ accessTo(const PartedAir& parted, const PartingParameters& of_parting)
   return access;
 }
 
-/** @brief Area of the smallest rectangle around the columns of a part, square metres.
- */
-double
-rectangleAround(const BuildingRoom& part, const CellGrid& grid)
-{
-  constexpr int directions = 16; // of a quarter turn
-  double smallest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < directions; ++k) {
-    const Eigen::Rotation2Dd turn(M_PI / 2 * k / directions);
-    Eigen::AlignedBox2d box;
-    for (const RoomColumn& column : part.columns)
-      box.extend(turn * grid.centre(column.cell));
-    smallest = std::min(smallest, (box.sizes().array() + grid.size()).prod());
-  }
-  return smallest;
-}
-
 /** @brief What each part of the air is.
  * @param behind 1 for points that were seen only through panes */
 std::vector<Verdict>
@@ -140,12 +122,6 @@ judge(const AirGaps& air,
       verdicts[p] = {
           "a landing of stairs, or above furniture: on the floor of no storey",
           LeftOutKind::Landing};
-  // A view from a larger room that one walks into it from may be all that shows a part.
-  if (parameters.minimum_enclosure > 0)
-    for (const RoomOpening& way : parted.openings) // a is the larger one, in order
-      if (isWalkable(way, of_parting) && verdicts[way.a].isRoom() &&
-          verdicts[way.b].isRoom())
-        verdicts[way.b] = seenInPart(parts[way.b], rectangleAround(parts[way.b], grid));
   return verdicts;
 }
 

@@ -213,17 +213,4 @@ noRoomBecause(const BuildingRoom& room,
           is_part ? LeftOutKind::Partial : LeftOutKind::Open};
 }
 
-Verdict
-seenInPart(const BuildingRoom& room, double box)
-{
-  constexpr double min_walled = 0.4; // of its outline; a glazed room may have no more
-  constexpr double min_filled = 0.8; // of the rectangle: a cone of sight fills less
-  if (room.enclosure >= min_walled || room.area >= min_filled * box)
-    return {};
-  return {formatText("a room seen in part: walls along %.0f %% of its outline, nothing "
-                     "along %.1f m",
-                     100 * room.enclosure, room.unseen_outline),
-          LeftOutKind::Partial};
-}
-
 } // namespace pcl::sedr

@@ -37,9 +37,4 @@ Verdict noRoomBecause(const BuildingRoom& room,
                       const BuildingParameters& parameters,
                       const PartingParameters& of_parting);
 
-/** @brief Whether of a room that one walks into only a part was seen: most of its
- * outline is where the view ended, and not along its walls, as panes are.
- * @param box area of the smallest rectangle around it */
-Verdict seenInPart(const BuildingRoom& room, double box);
-
 } // namespace pcl::sedr

@@ -122,21 +122,4 @@ TEST(NoRoomBecause, ItsCeilingWasHardlySeen)
   EXPECT_EQ(kindOf(room), LeftOutKind::Open);
 }
 
-TEST(SeenInPart, IsWhatHasWallsAlongLessThanTwoFifthsOfItsOutlineAndIsNoRectangle)
-{
-  BuildingRoom room;
-  room.unseen_outline = 7;
-  for (const double share : {0.16, 0.3, 0.39, 0.41})
-    for (const double area : {2.0, 15.8, 16.2}) { // of a rectangle of 20 square metres
-      room.enclosure = share;
-      room.area = area;
-      const Verdict verdict = seenInPart(room, 20);
-      EXPECT_EQ(verdict.isRoom(), share > 0.4 || area > 16) << share << ' ' << area;
-      if (share == 0.39 && area < 16) {
-        for (const char* part : {"seen in part", "39 %", "7.0 m"})
-          EXPECT_NE(verdict.reason.find(part), std::string::npos) << verdict.reason;
-      }
-    }
-}
-
 } // namespace
