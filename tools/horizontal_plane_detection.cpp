@@ -41,10 +41,8 @@ addHiddenCeiling(const pcl::sedr::Building& building,
                  ToolCloud& cloud)
 {
   const pcl::sedr::CellSet seen(grid, PointView(*cloud.points), room.ceiling);
-  std::vector<Eigen::Vector3f> places;
-  for (const auto& hidden :
-       hiddenCeiling(known.columns, building.grid, grid, seen, plane))
-    places.push_back(hidden.at);
+  const std::vector<Eigen::Vector3f> places =
+      hiddenCeiling(known.columns, building.grid, grid, seen, plane);
   const std::size_t before = cloud.size();
   cloud.blob +=
       selectRows(cloud.blob, pcl::Indices(places.size(), room.ceiling.front()));

@@ -71,9 +71,9 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   EXPECT_EQ(report.at("parameters").at("voxel_size"), 0.05) << "as it was given";
   for (const char* name : {"unit", "z_up", "threads", "headroom"})
     EXPECT_TRUE(report.at("parameters").contains(name)) << name;
-  ASSERT_EQ(report.at("stages").size(), 14u); // eleven of the chain
+  ASSERT_EQ(report.at("stages").size(), 13u); // ten of the chain
   EXPECT_EQ(report.at("stages")[0].at("stage"), "reading");
-  EXPECT_EQ(report.at("stages")[12].at("stage"), "MeshEvaluation");
+  EXPECT_EQ(report.at("stages")[11].at("stage"), "MeshEvaluation");
 
   const auto& coverage = report.at("coverage");
   EXPECT_NEAR(coverage.at("modelled").get<double>(), 12, 0.05);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -86,13 +87,14 @@ gatherCeiling(const PointView& points,
               RoomCells& cells)
 {
   constexpr double above_floor = 0.3; // metres: what is lower is no ceiling
-  cells.ceiling = medianHeight(points, room.ceiling, 0);
+  cells.ceiling = medianHeight(points, room.ceiling,
+                               room.hidden.empty() ? 0 : room.hidden.front().z());
   cells.floor = medianHeight(points, room.floor, cells.ceiling - usual_height);
   std::vector<int> high;
   for (const int i : room.ceiling)
     if (points[static_cast<std::size_t>(i)].z() > cells.floor + above_floor)
       high.push_back(i);
-  const CellSet seen(grid, points, high);
+  const CellSet seen = unite(CellSet(grid, points, high), cellsOf(grid, room.hidden));
   if (seen.empty())
     return;
   const CellBox box =
@@ -100,11 +102,13 @@ gatherCeiling(const PointView& points,
   cells.seen = CellMask(seen, box);
   cells.top.assign(cells.seen.values().size(), -no_height);
   cells.low.assign(cells.seen.values().size(), no_height);
-  forEachIn(cells.seen, grid, points, high,
-            [&](std::size_t at, const Eigen::Vector3f& q) {
-              cells.top[at] = std::max(cells.top[at], q.z());
-              cells.low[at] = std::min(cells.low[at], q.z());
-            });
+  const auto add = [&](std::size_t at, const Eigen::Vector3f& q) {
+    cells.top[at] = std::max(cells.top[at], q.z());
+    cells.low[at] = std::min(cells.low[at], q.z());
+  };
+  forEachIn(cells.seen, grid, points, high, add);
+  for (const Eigen::Vector3f& q : room.hidden)
+    add(cells.seen.indexOf(grid.at(q.x(), q.y())), q);
   const int reach = static_cast<int>(std::lround(p.local / grid.size()));
   spread(cells.seen, reach, std::greater<>(), cells.top);
   spread(cells.seen, 1, std::less<>(), cells.low);
@@ -319,6 +323,15 @@ markGlass(const CellHits& hits,
 }
 
 } // namespace
+
+CellSet
+cellsOf(const CellGrid& grid, const std::vector<Eigen::Vector3f>& places)
+{
+  std::vector<CellKey> keys;
+  for (const Eigen::Vector3f& p : places)
+    keys.push_back(keyOf(grid.at(p.x(), p.y())));
+  return CellSet(std::move(keys));
+}
 
 bool
 RoomCells::sharesHeights(const RoomCells& other) const

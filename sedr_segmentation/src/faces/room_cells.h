@@ -13,12 +13,16 @@ namespace pcl::sedr {
 /** @brief Metres above the floor of a ceiling whose floor was not seen. */
 constexpr double usual_height = 2.4;
 
+/** @brief Returns the cells that hold one of the places. */
+CellSet cellsOf(const CellGrid& grid, const std::vector<Eigen::Vector3f>& places);
+
 /** @brief The points of a room, as indices. */
 struct RoomPoints {
   std::vector<int> ceiling; ///< of ceilings and what hangs from them, all heights
   std::vector<int> floor;
-  std::vector<int> walls;  ///< labelled as wall
-  std::vector<int> others; ///< unlabelled, in and near the room
+  std::vector<int> walls;              ///< labelled as wall
+  std::vector<int> others;             ///< unlabelled, in and near the room
+  std::vector<Eigen::Vector3f> hidden; ///< places of its ceiling that were not seen
 };
 
 /** @brief What the cells of the plan tell of a room: where its ceiling was seen, and
@@ -26,7 +30,7 @@ struct RoomPoints {
 struct RoomCells {
   double floor = 0;       ///< median height of the floor
   double ceiling = 0;     ///< median height of the ceiling
-  CellMask seen;          ///< cells with ceiling, in a box with a margin around them
+  CellMask seen;          ///< cells with ceiling, seen or hidden, in a box around them
   std::vector<float> top; ///< of the highest ceiling near each cell of the box
   std::vector<float> low; ///< of the lowest ceiling near it
   CellMask solid;         ///< cells in which a surface reaches up to the ceiling

@@ -26,6 +26,7 @@ labelledPoints(const PointView& points, const std::vector<RoomEvidence>& parts)
                             parts[r].details.end());
     rooms[r].floor = parts[r].floor;
     rooms[r].walls = parts[r].walls;
+    rooms[r].hidden = parts[r].hidden.ceiling;
     // Faces of beams and lintels are labelled as details.
     const std::vector<int>* const lists[] = {&parts[r].ceiling, &parts[r].floor,
                                              &parts[r].walls};
@@ -129,11 +130,20 @@ fitLoops(const Storey& storey,
   }
 }
 
+/** @brief Returns whether enough of a surface is known for a plane. */
+bool
+isKnown(const std::vector<int>& seen, const std::vector<Eigen::Vector3f>& hidden)
+{
+  return seen.size() + hidden.size() >= 3;
+}
+
 /** @brief Fits the main plane of a ceiling or a floor, and its facets if it has more.
+ * @param hidden places of cells that were not seen
  * @return the facets; without any if the plane is all */
 RoomSheet
 fitSurface(const PointView& points,
            const std::vector<int>& indices,
+           const std::vector<Eigen::Vector3f>& hidden,
            bool is_floor,
            const std::vector<Eigen::Vector3d>& around,
            const RoomFitParameters& parameters,
@@ -143,9 +153,15 @@ fitSurface(const PointView& points,
   Positions all;
   for (const int i : indices)
     all.push_back(points[static_cast<std::size_t>(i)]);
+  if (all.size() < 3)
+    all.insert(all.end(), hidden.begin(), hidden.end());
   PlanSlab& main = is_floor ? room.floor : room.ceiling;
   main = findLargerSlab(all, parameters.slab_tolerance, radians(priors.max_slab_tilt),
                         parameters.seed, parameters.threads);
+  const CellGrid grid(parameters.cell_size);
+  const double hidden_cells = static_cast<double>(hidden.size());
+  const double seen_cells = static_cast<double>(CellSet(grid, points, indices).size());
+  main.inferred = hidden.empty() ? 0 : hidden_cells / (hidden_cells + seen_cells);
   RoomSheet sheet;
   sheet.room = room.id;
   sheet.is_floor = is_floor;
@@ -214,17 +230,22 @@ fitPlanByEnergy(const PointView& points,
       noise[s].rooms.push_back(numbers[r]);
   });
   std::vector<std::vector<RoomSheet>> of_rooms(numbers.size());
+  const auto isKnownRoom = [&](std::size_t r) {
+    return isKnown(parts[r].ceiling, parts[r].hidden.ceiling) &&
+           isKnown(parts[r].floor, parts[r].hidden.floor);
+  };
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     PlanRoom& room = rooms[r];
     room.id = numbers[r];
-    if (room.boundary.elements.empty() || parts[r].ceiling.size() < 3 ||
-        parts[r].floor.size() < 3)
+    if (room.boundary.elements.empty() || !isKnownRoom(r))
       return;
     const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
     for (const bool is_floor : {false, true}) {
       const std::vector<int> indices =
           is_floor ? seenPoints(points, grid, parts[r].floor, true) : parts[r].sheets;
-      RoomSheet sheet = fitSurface(points, indices, is_floor, around, parameters, room);
+      RoomSheet sheet = fitSurface(
+          points, indices, is_floor ? parts[r].hidden.floor : parts[r].hidden.ceiling,
+          is_floor, around, parameters, room);
       if (!sheet.sheet.facets.empty())
         of_rooms[r].push_back(std::move(sheet));
     }
@@ -240,7 +261,7 @@ fitPlanByEnergy(const PointView& points,
     const auto warn = [&](const std::string& why) {
       warnings.push_back({WarningKind::NoPlan, {}, numbers[r], 0, why});
     };
-    if (parts[r].ceiling.size() < 3 || parts[r].floor.size() < 3)
+    if (!isKnownRoom(r))
       warn(std::to_string(parts[r].ceiling.size()) + " ceiling points and " +
            std::to_string(parts[r].floor.size()) +
            " floor points are too few, 3 are needed of each");

@@ -62,17 +62,18 @@ problemOf(const PlanInput& input)
     problem = "the cloud has " + std::to_string(size) +
               " points, that with the tilted walls " +
               std::to_string(input.scanned.size());
-  if (problem.empty() && (!input.ceiling || input.ceiling->empty()))
+  const auto isMissing = [&](const pcl::IndicesConstPtr& seen) {
+    return (!seen || seen->empty()) && input.hidden.empty();
+  };
+  if (problem.empty() && isMissing(input.ceiling))
     problem = "no ceiling points were set";
-  if (problem.empty())
-    problem = indicesProblem("ceiling", input.ceiling, size);
-  if (problem.empty() && (!input.floor || input.floor->empty()))
+  if (problem.empty() && isMissing(input.floor))
     problem = "no floor points were set";
   const std::pair<const char*, const pcl::IndicesConstPtr&> parts[] = {
+      {"ceiling", input.ceiling},
       {"floor", input.floor},
       {"detail", input.details},
-      {"wall", input.walls},
-      {"sheet", input.sheets}};
+      {"wall", input.walls}};
   for (const auto& [name, indices] : parts)
     if (problem.empty())
       problem = indicesProblem(name, indices, size);
@@ -120,13 +121,12 @@ fitFloorplan(const PlanInput& input,
     return problem;
   PlanEvidence evidence;
   evidence.all = input.indices;
-  evidence.ceiling = *input.ceiling;
-  evidence.floor = *input.floor;
+  evidence.ceiling = orNone(input.ceiling);
+  evidence.floor = orNone(input.floor);
   evidence.details = orNone(input.details);
   evidence.walls = orNone(input.walls);
-  evidence.sheets = orNone(input.sheets);
-  evidence.finds_sheets = !input.sheets;
   evidence.room = input.rooms;
+  evidence.hidden = input.hidden;
   std::vector<RoomSheet> sheets;
   // Null indices mean all points of the raw cloud, an empty list means none.
   const bool has_raw =

@@ -26,7 +26,8 @@ heightsOfRooms(const PointView& points,
                double pit,
                const std::vector<std::vector<int>>& floors,
                const std::vector<std::vector<int>>& ceilings,
-               const std::vector<std::vector<int>>& details)
+               const std::vector<std::vector<int>>& details,
+               const std::vector<HiddenCells>& hidden)
 {
   std::vector<RoomHeights> heights;
   for (std::size_t r = 0; r < floors.size(); ++r) {
@@ -34,6 +35,8 @@ heightsOfRooms(const PointView& points,
     for (const auto* part : {&ceilings[r], &details[r]})
       for (const int i : *part)
         above.push_back(points[static_cast<std::size_t>(i)].z());
+    for (const Eigen::Vector3f& place : hidden[r].ceiling)
+      above.push_back(place.z());
     double floor = 0;
     HeightCounts lows;
     for (const int i : floors[r])
@@ -61,6 +64,9 @@ roomNumbers(const PlanEvidence& evidence)
   for (const int i : evidence.ceiling)
     if (evidence.room[static_cast<std::size_t>(i)] != 0)
       numbers.push_back(evidence.room[static_cast<std::size_t>(i)]);
+  for (const auto& [number, cells] : evidence.hidden)
+    if (!cells.ceiling.empty())
+      numbers.push_back(number);
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
@@ -127,19 +133,24 @@ shareOut(const PointView& points,
   };
   auto ceilings = shareBy(evidence.ceiling, labelled);
   auto details = shareBy(evidence.details, labelled);
-  auto of_sheets = shareBy(evidence.sheets, labelled);
-  for (std::size_t r = 0; r < numbers.size() && evidence.finds_sheets; ++r) {
+  std::vector<std::vector<int>> of_sheets(numbers.size());
+  for (std::size_t r = 0; r < numbers.size(); ++r) {
     std::vector<int> both = ceilings[r];
     both.insert(both.end(), details[r].begin(), details[r].end());
     of_sheets[r] = seenPoints(points, grid, both, false);
   }
   std::vector<CellSet> scopes;
-  for (std::size_t r = 0; r < numbers.size(); ++r)
-    scopes.push_back(
-        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
+  std::vector<HiddenCells> hidden;
+  for (std::size_t r = 0; r < numbers.size(); ++r) {
+    const auto known = evidence.hidden.find(numbers[r]);
+    hidden.push_back(known == evidence.hidden.end() ? HiddenCells() : known->second);
+    scopes.push_back(unite(
+        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])),
+        cellsOf(grid, hidden[r].ceiling)));
+  }
   const std::vector<RoomHeights> heights =
       heightsOfRooms(points, grid, parameters.minimum_detail_area,
-                     shareBy(evidence.floor, labelled), ceilings, details);
+                     shareBy(evidence.floor, labelled), ceilings, details, hidden);
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
   parallelBlocks(territories.size(), 1, parameters.threads,
                  [&](std::size_t k, std::size_t) {
@@ -169,7 +180,8 @@ shareOut(const PointView& points,
   for (std::size_t r = 0; r < numbers.size(); ++r)
     rooms.push_back({std::move(around[r]), std::move(ceilings[r]),
                      std::move(details[r]), std::move(floors[r]), std::move(walls[r]),
-                     std::move(behind[r]), std::move(of_sheets[r])});
+                     std::move(behind[r]), std::move(of_sheets[r]),
+                     std::move(hidden[r])});
   return rooms;
 }
 

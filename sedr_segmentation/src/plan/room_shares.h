@@ -6,6 +6,7 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,7 @@ struct PlanEvidence {
   std::vector<int> floor;
   std::vector<int> walls; ///< empty: all
   std::vector<std::uint32_t> room;
-  std::vector<int> sheets;   ///< of ceilings as they are seen from below
-  bool finds_sheets = false; ///< whether those are found, not given
+  std::map<std::uint32_t, HiddenCells> hidden; ///< by room
 };
 
 /** @brief The points of a room: indices. */
@@ -33,6 +33,7 @@ struct RoomEvidence {
   std::vector<int> walls;
   std::vector<int> behind; ///< points beyond `around`, for the backs of deep niches
   std::vector<int> sheets; ///< of the ceiling as it is seen from below
+  HiddenCells hidden;
 };
 
 /** @brief Returns the room numbers, increasing, without 0. */

@@ -17,67 +17,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Tells the gaps of a room of whose ceiling the part that hangs together is
- * level, large enough to be a detail, and no thinner than what columns can show. */
-class LevelParts {
-public:
-  LevelParts(const AirGaps& air, const std::vector<std::int32_t>& room)
-      : air_(air)
-      , room_(room)
-      , is_level_(air.size(), 0)
-      , is_met_(air.size(), 0)
-  {
-    for (std::uint32_t g = 0; g < air.size(); ++g)
-      if (!is_met_[g])
-        meet(g);
-  }
-
-  bool isLevel(std::uint32_t g) const { return is_level_[g] != 0; }
-
-private:
-  void meet(std::uint32_t start)
-  {
-    constexpr int step = 1; // voxels that a level part's noise rises a cell
-    constexpr double largest_rise = 0.2; // metres, of the whole part
-    constexpr double min_area = 0.25;    // square metres
-    constexpr double min_width = 1.5;    // columns
-    std::vector<std::uint32_t> part{start};
-    is_met_[start] = 1;
-    std::int32_t low = air_[start].high;
-    std::int32_t high = low;
-    std::size_t rim = 0;
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      const std::uint32_t g = part[k];
-      low = std::min(low, air_[g].high);
-      high = std::max(high, air_[g].high);
-      for (int d = 0; d < 4; ++d) {
-        const std::uint32_t o = air_.link(g, d);
-        if (o == AirGaps::none || room_[o] != room_[g] ||
-            std::abs(air_[o].high - air_[g].high) > step)
-          ++rim;
-        else if (!is_met_[o]) {
-          is_met_[o] = 1;
-          part.push_back(o);
-        }
-      }
-    }
-    const auto n = static_cast<double>(part.size());
-    const double cell = air_.columns().cellSize();
-    const bool is_level = (high - low) * air_.columns().voxelHeight() <=
-                              largest_rise + 0.03 * std::sqrt(n) * cell &&
-                          n * cell * cell >= min_area &&
-                          2 * n >= min_width * static_cast<double>(rim);
-    if (is_level)
-      for (const std::uint32_t g : part)
-        is_level_[g] = 1;
-  }
-
-  const AirGaps& air_;
-  const std::vector<std::int32_t>& room_;
-  std::vector<std::uint8_t> is_level_;
-  std::vector<std::uint8_t> is_met_;
-};
-
 /** @brief The cells that the gaps of a room surround: of columns and furniture. */
 CellMask
 holesIn(const AirGaps& air, const std::vector<std::uint32_t>& gaps)
@@ -118,7 +57,6 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (parted.room[g] != PartedAir::no_room)
       gaps[static_cast<std::size_t>(parted.room[g])].push_back(g);
-  const LevelParts levels(air, parted.room);
   std::vector<BuildingRoom> rooms(parted.rooms);
   parallelBlocks(
       parted.rooms, 1, air.parameters().threads, [&](std::size_t r, std::size_t) {
@@ -134,7 +72,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
           const double high = columns.heightOf(gap.high);
           room.columns.push_back({columns.cellOf(gap.column), static_cast<float>(low),
                                   static_cast<float>(high), gap.floor_seen,
-                                  gap.ceiling_seen, levels.isLevel(g)});
+                                  gap.ceiling_seen});
           unseen += !gap.floor_seen && !gap.ceiling_seen ? 1 : 0;
           const Cell cell = columns.cellOf(gap.column);
           for (int d = 0; d < 4; ++d)

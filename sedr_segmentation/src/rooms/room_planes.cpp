@@ -68,7 +68,7 @@ pointsOn(const PointView& points,
   return on;
 }
 
-std::vector<HiddenCeiling>
+std::vector<Eigen::Vector3f>
 hiddenCeiling(const std::vector<RoomColumn>& columns,
               const CellGrid& coarse,
               const CellGrid& grid,
@@ -78,7 +78,7 @@ hiddenCeiling(const std::vector<RoomColumn>& columns,
   constexpr double same = 0.2; // metres between the main plane and the height inferred
   const int parts =
       std::max(1, static_cast<int>(std::lround(coarse.size() / grid.size())));
-  std::vector<HiddenCeiling> hidden;
+  std::vector<Eigen::Vector3f> hidden;
   for (const RoomColumn& column : columns) {
     if (column.ceiling_seen)
       continue;
@@ -91,9 +91,9 @@ hiddenCeiling(const std::vector<RoomColumn>& columns,
         continue;
       const double of_plane = plane.heightAt(place);
       const bool is_main = std::abs(of_plane - column.ceiling) < same;
-      hidden.push_back({{static_cast<float>(place.x()), static_cast<float>(place.y()),
-                         is_main ? static_cast<float>(of_plane) : column.ceiling},
-                        is_main});
+      hidden.push_back(
+          Eigen::Vector3d(place.x(), place.y(), is_main ? of_plane : column.ceiling)
+              .cast<float>());
     }
   }
   return hidden;

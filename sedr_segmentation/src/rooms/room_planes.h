@@ -50,22 +50,17 @@ std::vector<int> pointsOn(const PointView& points,
                           const PlanSlab& plane,
                           double tolerance);
 
-/** @brief A place of a ceiling that something hid. */
-struct HiddenCeiling {
-  Eigen::Vector3f at; ///< metres
-  bool is_main;       ///< on the main plane; else on a lower or higher part
-};
-
-/** @brief Where the ceiling of a room was hidden, a place for each cell of `grid` in
- * which nothing of it was seen. Where it may go on in the main plane it does.
+/** @brief Returns the hidden cells of the ceiling of a room: a place for each cell of
+ * `grid` which air reaches, but in which nothing of it was seen. Where it may go on in
+ * the main plane it does.
  * @param columns of the room; of those whose ceiling was hidden the places are
  * @param coarse grid of the columns, see Building::grid
  * @param seen cells of the ceiling that was seen */
-std::vector<HiddenCeiling> hiddenCeiling(const std::vector<RoomColumn>& columns,
-                                         const CellGrid& coarse,
-                                         const CellGrid& grid,
-                                         const CellSet& seen,
-                                         const PlanSlab& plane);
+std::vector<Eigen::Vector3f> hiddenCeiling(const std::vector<RoomColumn>& columns,
+                                           const CellGrid& coarse,
+                                           const CellGrid& grid,
+                                           const CellSet& seen,
+                                           const PlanSlab& plane);
 
 /** @brief A plane of a room as HorizontalPlaneDetection lists it.
  * @param inliers points on it, increasing; none: an area of 0 */

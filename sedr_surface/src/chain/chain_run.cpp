@@ -151,7 +151,6 @@ ChainRun::findStructure()
   const std::size_t n = chain_.cloud->size();
   return runStage("RoomSegmentation", n, &ChainRun::partRooms) &&
          runStage("HorizontalPlaneDetection", n, &ChainRun::findPlanes) &&
-         runStage("FloorProjectionRecovery", n, &ChainRun::recoverFloors) &&
          runStage("CeilingBoundaryWallGrowing", n, &ChainRun::growWalls) &&
          runStage("FloorplanFitting", chain_.cloud->size(), &ChainRun::fitPlan) &&
          runStage("OpeningDetection", chain_.cloud->size(), &ChainRun::findOpenings) &&

@@ -85,15 +85,18 @@ private:
   void makeWallsVertical();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
-  /** @brief Adds points where a room's ceiling is hidden, using the air below it.
+
+  /** @brief Labels the floor of a room; the rest of what is below its ceiling are its
+   * hidden cells.
    * @return number of points */
-  std::size_t addHiddenCeiling(std::size_t room);
+  std::size_t labelFloor(std::size_t room);
 
-  /** @brief Returns the scanned points of all ceilings, increasing. */
-  pcl::IndicesPtr sheetPoints() const;
-
-  bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
+
+  /** @brief Returns the points of a room's territory but those well below its ceiling,
+   * seen or hidden: none of them is of a wall. */
+  pcl::IndicesPtr nearRim(std::size_t room) const;
+
   bool fitPlan(StageReport& report);
   bool findOpenings(StageReport& report);
   bool refine(StageReport& report);
@@ -134,14 +137,8 @@ private:
   /** @brief Returns the points in each room's territory. */
   std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
 
-  /** @brief Labels the points of a room's ceiling off its main plane: as details below
-   * level parts of the ceiling, else as ceiling.
-   * @return number of points */
-  std::size_t labelLowerCeilings(std::size_t room);
-
-  /** @brief Labels the unlabelled points between the main ceiling and lower parts of it
-   * as details, unless a wall goes on below. */
-  void labelRisers(std::size_t room);
+  /** @brief Labels what no stage did on the risers of a room's ceiling and floor. */
+  void labelRisers(const PlanRoom& room);
 
   /** @brief Labels the points in niches, which no earlier stage considers. */
   void labelNiches();
@@ -152,7 +149,8 @@ private:
     pcl::Indices floor;    ///< points of its floor and platforms
     PlanSlab ceiling_slab; ///< largest slab of its ceiling
     PlanSlab floor_slab;   ///< largest slab of its floor
-    CellSet scope;         ///< cells of its ceiling
+    CellSet scope;         ///< cells of its ceiling, seen or hidden
+    HiddenCells hidden;
   };
 
   StructureChain& chain_;
@@ -163,7 +161,6 @@ private:
   std::vector<ChainRoom> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
   std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0
-  std::vector<double> slice_height_; ///< of each room, NaN without lower ceilings
   std::vector<StructureCloud::Ptr>
       refined_; ///< of each room of the plan, until repaired
 };

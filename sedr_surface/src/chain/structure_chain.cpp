@@ -40,7 +40,6 @@ StructureChain::setCells(double size)
 {
   plane_detection.setGridSize(size);
   room_segmentation.setGridSize(size);
-  floor_recovery.setGridSize(size);
   floorplan_fitting.setGridSize(size);
   hole_repair.setGridSize(size);
 }
@@ -71,17 +70,9 @@ void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
   restoreCells();
-  // Points are added where a ceiling is hidden: usually at most a thirtieth.
-  cloud.reset(new Cloud);
-  cloud->reserve(thinned->size() + thinned->size() / 30);
-  *cloud = *thinned;
-  scanned_points_ = cloud->size();
-  labels.clear();
-  rooms.clear();
-  for (auto* const values : {&labels, &rooms}) {
-    values->reserve(cloud->points.capacity());
-    values->resize(cloud->size(), 0);
-  }
+  cloud.reset(new Cloud(*thinned));
+  labels.assign(cloud->size(), 0);
+  rooms.assign(cloud->size(), 0);
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
   levelling.reset();

@@ -8,15 +8,13 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_segmentation/src/faces/room_cells.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <set>
 
 namespace pcl::sedr {
 
@@ -91,12 +89,14 @@ ChainRun::findPlanes(StageReport& report)
   const CellGrid grid(chain_.plane_detection.getGridSize());
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     ChainRoom& room = regions_[r];
-    const pcl::Indices on_slab =
-        pointsOn(PointView(*chain_.cloud), room.ceiling, room.ceiling_slab, tolerance);
-    for (const int i : on_slab)
+    for (const int i : room.ceiling)
       give(i, StructureLabel::Ceiling, r + 1);
-    report.points_out += on_slab.size() + addHiddenCeiling(r);
-    room.scope = CellSet(grid, PointView(*chain_.cloud), room.ceiling);
+    report.points_out += room.ceiling.size();
+    const CellSet seen(grid, PointView(*chain_.cloud), room.ceiling);
+    const Building& building = chain_.getBuilding();
+    room.hidden.ceiling = hiddenCeiling(building.rooms[r].columns, building.grid, grid,
+                                        seen, room.ceiling_slab);
+    room.scope = unite(seen, cellsOf(grid, room.hidden.ceiling));
   }
   const RoomTerritory of_rooms = territory(wallReach(chain_.priors_));
   if (!of_rooms.problem().empty())
@@ -111,32 +111,33 @@ ChainRun::findPlanes(StageReport& report)
                         room.floor_slab, tolerance, chain_.priors_);
       });
   for (std::size_t r = 0; r < regions_.size(); ++r) {
-    report.points_out += regions_[r].floor.size();
-    slice_height_.push_back(std::numeric_limits<double>::quiet_NaN());
+    report.points_out += labelFloor(r);
     if (regions_[r].scope.empty())
       warn(static_cast<std::uint32_t>(r + 1),
            "no point of its ceiling was found: it is left out");
-    report.points_out += labelLowerCeilings(r);
   }
   return true;
 }
 
 std::size_t
-ChainRun::addHiddenCeiling(std::size_t r)
+ChainRun::labelFloor(std::size_t r)
 {
-  const Building& building = chain_.getBuilding();
-  const CellGrid grid(chain_.plane_detection.getGridSize());
   ChainRoom& room = regions_[r];
-  const CellSet seen(grid, PointView(*chain_.cloud), room.ceiling);
-  const std::vector<HiddenCeiling> hidden = hiddenCeiling(
-      building.rooms[r].columns, building.grid, grid, seen, room.ceiling_slab);
-  for (const HiddenCeiling& place : hidden) {
-    room.ceiling.push_back(static_cast<int>(chain_.cloud->size()));
-    chain_.cloud->push_back({place.at.x(), place.at.y(), place.at.z()});
-    chain_.labels.push_back(place.is_main ? valueOf(StructureLabel::Ceiling) : 0);
-    chain_.rooms.push_back(place.is_main ? static_cast<std::uint32_t>(r + 1) : 0);
+  const CellGrid grid(chain_.plane_detection.getGridSize());
+  const PointView points(*chain_.cloud);
+  const CellSet floor(grid, points, room.floor);
+  for (const int i : room.floor)
+    if (const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+        room.scope.contains(grid.at(p.x(), p.y())))
+      give(i, StructureLabel::Floor, r + 1);
+  const CellSet hidden = subtract(room.scope, floor);
+  for (std::size_t k = 0; k < hidden.size(); ++k) {
+    const Eigen::Vector2d at = grid.centre(hidden[k]);
+    const double z = room.floor_slab.inliers > 0 ? room.floor_slab.heightAt(at)
+                                                 : chain_.getBuilding().rooms[r].floor;
+    room.hidden.floor.push_back(Eigen::Vector3d(at.x(), at.y(), z).cast<float>());
   }
-  return hidden.size();
+  return room.floor.size();
 }
 
 RoomTerritory
@@ -169,96 +170,6 @@ ChainRun::territories(const RoomTerritory& of_rooms) const
     if (room[i] >= 0)
       result[static_cast<std::size_t>(room[i])]->push_back(static_cast<int>(i));
   return result;
-}
-
-std::size_t
-ChainRun::labelLowerCeilings(std::size_t region)
-{
-  const PointView points(*chain_.cloud);
-  const CellGrid& columns = chain_.getBuilding().grid;
-  std::vector<CellKey> level_keys;
-  for (const RoomColumn& column : chain_.getBuilding().rooms[region].columns)
-    if (column.is_level)
-      level_keys.push_back(keyOf(column.cell));
-  const CellSet level(std::move(level_keys));
-  std::size_t found = 0;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const int i : regions_[region].ceiling) {
-    const auto at = static_cast<std::size_t>(i);
-    if (chain_.labels[at] != 0)
-      continue;
-    if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
-      give(i, StructureLabel::Ceiling, region + 1); // vault or roof
-      continue;
-    }
-    give(i, StructureLabel::Detail, region + 1);
-    ++found;
-    lowest = std::min<double>(lowest, points[at].z());
-  }
-  labelRisers(region);
-  // Below a soffit, walls grow from the floor's boundary, as below any detail.
-  double& slice = slice_height_[region];
-  if (found > 0 && !(slice < lowest))
-    slice = lowest - chain_.plane_detection.getGridSize();
-  return found;
-}
-
-void
-ChainRun::labelRisers(std::size_t region)
-{
-  constexpr double below = 0.4; // metres: what goes on so far down is a wall
-  constexpr double rim = 0.1;   // metres, of noise
-  const PointView points(*chain_.cloud);
-  const CellGrid& grid = chain_.getBuilding().grid;
-  std::map<CellKey, float> lowest; // of the parts of the ceiling, near each cell
-  for (const int i : regions_[region].ceiling) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (chain_.labels[static_cast<std::size_t>(i)] != valueOf(StructureLabel::Detail))
-      continue;
-    const Cell cell = grid.at(p.x(), p.y());
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const auto known =
-            lowest.emplace(keyOf({cell.x + dx, cell.y + dy}), p.z()).first;
-        known->second = std::min(known->second, p.z());
-      }
-  }
-  if (lowest.empty())
-    return;
-  std::map<CellKey, pcl::Indices> risers;
-  std::set<CellKey> walls;
-  for (const int i : *territory_[region]) {
-    const auto at = static_cast<std::size_t>(i);
-    const Eigen::Vector3f p = points[at];
-    if (chain_.labels[at] != 0)
-      continue;
-    const auto low = lowest.find(keyOf(grid.at(p.x(), p.y())));
-    if (low == lowest.end())
-      continue;
-    if (p.z() > low->second - rim &&
-        distanceAbove(regions_[region].ceiling_slab, p) < 0)
-      risers[low->first].push_back(i);
-    else if (p.z() < low->second - rim && p.z() > low->second - below)
-      walls.insert(low->first);
-  }
-  for (const auto& [cell, own] : risers)
-    if (walls.count(cell) == 0)
-      for (const int i : own)
-        give(i, StructureLabel::Detail, region + 1);
-}
-
-pcl::IndicesPtr
-ChainRun::sheetPoints() const
-{
-  pcl::IndicesPtr sheets(new pcl::Indices);
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    for (const int i : regions_[r].ceiling)
-      if (const auto at = static_cast<std::size_t>(i);
-          at < chain_.scanned_points_ && // others fill hidden ceilings
-          chain_.rooms[at] == r + 1)     // else floor of the one above
-        sheets->push_back(i);
-  std::sort(sheets->begin(), sheets->end());
-  return sheets;
 }
 
 } // namespace pcl::sedr

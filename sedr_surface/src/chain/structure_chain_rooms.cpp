@@ -51,43 +51,20 @@ ChainRun::shareOut()
       shares_[chain_.rooms[i]].push_back(static_cast<int>(i));
 }
 
-bool
-ChainRun::recoverFloors(StageReport& report)
+pcl::IndicesPtr
+ChainRun::nearRim(std::size_t r) const
 {
-  shareOut();
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    const auto room = static_cast<std::uint32_t>(r + 1);
-    const pcl::IndicesPtr seen(new pcl::Indices(regions_[r].floor));
-    pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
-    for (int k = 0; k < 4; ++k)
-      plane->values.push_back(static_cast<float>(regions_[r].floor_slab.plane[k]));
-    chain_.floor_recovery.setInputCloud(chain_.cloud);
-    chain_.floor_recovery.setIndices(seen);
-    chain_.floor_recovery.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
-    chain_.floor_recovery.setDetailIndices(labelled(StructureLabel::Detail, room));
-    chain_.floor_recovery.setFloorCoefficients(plane);
-    Cloud whole;
-    chain_.floor_recovery.filter(whole);
-    if (!chain_.floor_recovery.getErrorMessage().empty()) {
-      warn(room, chain_.floor_recovery.getErrorMessage());
-      continue;
-    }
-    const std::size_t kept =
-        whole.size() - chain_.floor_recovery.getNumberOfProjected();
-    for (std::size_t k = 0; k < whole.size(); ++k) {
-      std::size_t at = chain_.cloud->size();
-      if (k < kept)
-        at = static_cast<std::size_t>(chain_.floor_recovery.getProjectedIndices()[k]);
-      else {
-        chain_.cloud->push_back(whole[k]);
-        chain_.labels.push_back(0);
-        chain_.rooms.push_back(0);
-      }
-      give(static_cast<int>(at), StructureLabel::Floor, room);
-    }
-    report.points_out += whole.size();
-  }
-  return true;
+  const CellGrid grid(chain_.plane_detection.getGridSize());
+  const CellSet& scope = regions_[r].scope;
+  const CellMask inner =
+      eroded(CellMask(scope, boxOf(scope)),
+             chain_.wall_growing.getDistanceThreshold() / grid.size());
+  pcl::IndicesPtr near(new pcl::Indices);
+  for (const int i : *territory_[r])
+    if (const auto& p = (*chain_.cloud)[static_cast<std::size_t>(i)];
+        chain_.labels[static_cast<std::size_t>(i)] == 0 && !inner.at(grid.at(p.x, p.y)))
+      near->push_back(i);
+  return near;
 }
 
 bool
@@ -100,11 +77,8 @@ ChainRun::growWalls(StageReport& report)
                         " m in plan of the boundary of the ceilings";
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
-    chain_.wall_growing.setIndices(territory_[r]);
+    chain_.wall_growing.setIndices(nearRim(r));
     chain_.wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
-    chain_.wall_growing.setFloorIndices(labelled(StructureLabel::Floor, room));
-    chain_.wall_growing.setDetailIndices(labelled(StructureLabel::Detail, room));
-    chain_.wall_growing.setSliceHeight(slice_height_[r]);
     pcl::PointIndices walls;
     if (!chain_.wall_growing.segment(walls)) {
       problem = chain_.wall_growing.getErrorMessage();
@@ -112,10 +86,8 @@ ChainRun::growWalls(StageReport& report)
       continue;
     }
     for (const int i : chain_.wall_growing.getWallIndices())
-      if (chain_.labels[static_cast<std::size_t>(i)] == 0) {
-        give(i, StructureLabel::Wall, room);
-        ++report.points_out;
-      }
+      give(i, StructureLabel::Wall, room);
+    report.points_out += walls.indices.size();
   }
   return report.points_out > 0 || fail(problem);
 }
@@ -125,32 +97,13 @@ ChainRun::fitPlan(StageReport& report)
 {
   chain_.floorplan_fitting.setInputCloud(chain_.cloud);
   chain_.floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling));
-  chain_.floorplan_fitting.setIndices(allIndices(chain_.scanned_points_));
-  const pcl::IndicesPtr floor = labelled(StructureLabel::Floor);
-  // Floor below furniture was recovered, not seen: the fit needs none where some was.
-  constexpr std::size_t of_plane = 3;
-  const auto isScanned = [&](int i) {
-    return static_cast<std::size_t>(i) < chain_.scanned_points_;
-  };
-  const auto roomOf = [&](int i) { return chain_.rooms[static_cast<std::size_t>(i)]; };
-  std::vector<std::size_t> scanned(regions_.size() + 1, 0);
-  for (const int i : *floor)
-    scanned[roomOf(i)] += isScanned(i) ? 1 : 0;
-  floor->erase(std::remove_if(floor->begin(), floor->end(),
-                              [&](int i) {
-                                return !isScanned(i) && scanned[roomOf(i)] >= of_plane;
-                              }),
-               floor->end());
-  chain_.floorplan_fitting.setFloorIndices(floor);
-  chain_.floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
+  chain_.floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
   chain_.floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
-  chain_.floorplan_fitting.setSheetIndices(sheetPoints());
   chain_.floorplan_fitting.setRooms(chain_.rooms);
-  if (scanned_)
-    scanned_->insert(scanned_->end(),
-                     chain_.cloud->begin() +
-                         static_cast<std::ptrdiff_t>(scanned_->size()),
-                     chain_.cloud->end());
+  std::map<std::uint32_t, HiddenCells> hidden;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    hidden[static_cast<std::uint32_t>(r + 1)] = std::move(regions_[r].hidden);
+  chain_.floorplan_fitting.setHiddenCells(std::move(hidden));
   chain_.floorplan_fitting.setTiltedWalls(faces_, scanned_);
   const bool is_fitted = chain_.floorplan_fitting.segment(*chain_.plan);
   if (scanned_)
@@ -177,6 +130,8 @@ ChainRun::fitPlan(StageReport& report)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
   giveUpRoomsWithoutPlan();
+  for (const PlanRoom& room : chain_.plan->rooms)
+    labelRisers(room);
   labelNiches();
   return true;
 }
@@ -214,6 +169,22 @@ ChainRun::giveUpRoomsWithoutPlan()
           chain_.labels[at] = chain_.rooms[at] = 0;
       }
   }
+}
+
+void
+ChainRun::labelRisers(const PlanRoom& room)
+{
+  if (room.details.empty() && room.floor_details.empty())
+    return;
+  const RoomSurfaces surfaces(room, chain_.refinement.getMaximumDistance());
+  SurfacePoint snapped;
+  for (const int i : *territory_[room.id - 1])
+    if (const auto at = static_cast<std::size_t>(i);
+        chain_.labels[at] == 0 &&
+        surfaces.snap((*chain_.cloud)[at].getVector3fMap().cast<double>(),
+                      StructureLabel::Detail, snapped) &&
+        snapped.normal.z() == 0)
+      give(i, StructureLabel::Detail, room.id);
 }
 
 void

@@ -67,7 +67,7 @@ public:
     const auto above = static_cast<float>(0.05 * std::ceil(z / 0.05)); // of its voxel
     for (double x = x0 + 0.05; x < x1; x += 0.1)
       for (double y = y0 + 0.05; y < y1; y += 0.1)
-        room.columns.push_back({building.grid.at(x, y), above, 6, true, true, true});
+        room.columns.push_back({building.grid.at(x, y), above, 6, true, true});
     building.rooms.push_back(room);
   }
 

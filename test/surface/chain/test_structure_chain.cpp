@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -96,6 +97,30 @@ TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
            warning.reason.find("mirrors") != std::string::npos;
   };
   EXPECT_EQ(std::count_if(chain.warnings.begin(), chain.warnings.end(), isTold), 1);
+}
+
+TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
+{
+  const PlanLoop walls = rectangle(0.01, 0.01, 4.01, 3.01);
+  RoomPoints points;
+  points.slab(walls, 2.5, [](double x, double y) { return x > 1 || y > 0.8; });
+  points.slab(walls, 0, [](double x, double y) { return x < 2.5 || y > 1; });
+  for (const PlanElement& wall : walls.elements)
+    points.wall(wall, 0, 2.5);
+  StructureChain chain;
+  const auto scan = points.cloud();
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+  EXPECT_EQ(chain.cloud->size(), scan->size());
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  const PlanRoom& room = chain.plan->rooms[0];
+  EXPECT_NEAR(room.area(), 12, 0.05);
+  EXPECT_NEAR(room.ceiling.inferred, 0.8 / 12, 0.02);
+  EXPECT_NEAR(room.floor.inferred, 1.5 / 12, 0.02);
+  const auto isFilled = [](const pcl::PointStructure& p) {
+    return p.x > 0.3F && p.x < 0.5F && p.y > 0.3F && p.y < 0.5F && p.z > 2.49F;
+  };
+  EXPECT_GE(std::count_if(chain.structure->begin(), chain.structure->end(), isFilled),
+            9);
 }
 
 TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)

@@ -127,7 +127,7 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 {
   const auto& result = chain.getChain();
   constexpr double reveal = 0.05; // metres: what noise makes of its points
-  const std::size_t scanned = result.scannedPoints();
+  const std::size_t scanned = result.cloud->size();
   const OpeningSpaces openings(*chain.getFloorplan());
   std::vector<std::uint8_t> is_structure(scanned);
   parallelFor(scanned, 4096, threads, [&](std::size_t i) {

@@ -32,8 +32,6 @@ struct RoomColumn {
   float ceiling = 0;
   bool floor_seen = true;   ///< false: hidden, taken from the neighbours
   bool ceiling_seen = true; ///< likewise
-  bool is_level = true; ///< the ceiling here is level over a sufficient area: no vault,
-                        ///< roof or fine ribs
 };
 
 /** @brief A room: a connected part of the free space of a building, as a height field.

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,13 @@ struct RoomFitParameters {
   double minimum_detail_area = 0.25; ///< square metres
   std::uint64_t seed = 1;            ///< of the planes' random samples
   unsigned threads = 0;              ///< 0: all processors
+};
+
+/** @brief Cells of a room's ceiling and floor that the scan does not show though its
+ * air reaches them: their places, with the height that is inferred, metres. */
+struct HiddenCells {
+  std::vector<Eigen::Vector3f> ceiling;
+  std::vector<Eigen::Vector3f> floor;
 };
 
 /** @brief Boundary points to which a loop of a room was fitted (paper, Figure 7a). */
@@ -102,15 +110,17 @@ public:
   void setWallIndices(const sedr::StageIndices& walls) { walls_ = walls.get(); }
   IndicesConstPtr getWallIndices() const { return walls_; }
 
-  /** @brief Sets the points of ceilings that are not level. Their rooms get a ceiling
-   * of facets (PlanDetail::is_facet, PlanSlab::curve), unless these explain too little
-   * of it. They must be among the points of ceilings and details. Default: found. */
-  void setSheetIndices(const sedr::StageIndices& sheets) { sheets_ = sheets.get(); }
-  IndicesConstPtr getSheetIndices() const { return sheets_; }
-
   /** @brief Sets the room of every point of the cloud, 0 for none. Empty (default): the
    * field `room` of the point type, or one room if it has no such field. */
   void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
+
+  /** @brief Sets what of each room was hidden, by its number. Hidden cells are of the
+   * room as those that were seen, but no surface is fitted to them where three points
+   * were seen. Default: none. */
+  void setHiddenCells(std::map<std::uint32_t, sedr::HiddenCells> hidden)
+  {
+    hidden_ = std::move(hidden);
+  }
 
   /** @brief Sets the scan from which the input cloud was thinned, of any point type.
    * The plan found on the input cloud is then fitted to the scan near each element,
@@ -231,8 +241,8 @@ private:
   IndicesConstPtr floor_;
   IndicesConstPtr details_;
   IndicesConstPtr walls_;
-  IndicesConstPtr sheets_;
   std::vector<std::uint32_t> rooms_;
+  std::map<std::uint32_t, sedr::HiddenCells> hidden_;
   std::function<sedr::PointView()> raw_; ///< returns the current raw cloud
   IndicesConstPtr raw_indices_;
   std::vector<sedr::TiltedFace> faces_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
@@ -48,8 +47,8 @@ struct MirrorFigures {
 
 /** @brief Runs the stages 2 to 11 on a thinned cloud (paper, section 2.1). Each stage
  * is a PCL-style object, a member of this class with its own setters. The stages share
- * one cloud with a label and a room per point; recovered floor points are appended to
- * it. */
+ * one cloud with a label and a room per point. What ceilings and floors hide is a state
+ * of their cells, see HiddenCells; only repair makes points of it. */
 class StructureChain {
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -60,8 +59,6 @@ public:
 
   pcl::RoomSegmentation<pcl::PointXYZ> room_segmentation;
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
-  pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery{
-      true}; ///< reports what it removes
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
   pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
   pcl::OpeningDetection<pcl::PointXYZ> opening_detection;
@@ -130,7 +127,7 @@ public:
   /** @brief The rotation that levelled a scan tilted by 0.3 to 3 degrees; empty
    * otherwise. All results of the chain are in the level frame. */
   std::optional<Levelling> levelling;
-  Cloud::Ptr cloud; ///< thinned points, then recovered points of ceilings and floors
+  Cloud::Ptr cloud;                  ///< thinned points, without reflections
   std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none
   std::shared_ptr<Floorplan> plan;
@@ -157,10 +154,6 @@ public:
   /** @brief Returns the refined and repaired points in the frame of the scan. */
   StructureCloud::Ptr structureInScanFrame() const;
 
-  /** @brief Returns how many points of `cloud` come from the scan: the thinned points
-   * without reflections. They precede the recovered points. */
-  std::size_t scannedPoints() const { return scanned_points_; }
-
 private:
   friend class ChainRun;
 
@@ -170,7 +163,6 @@ private:
 
   Priors priors_;
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
-  std::size_t scanned_points_ = 0;
 };
 
 } // namespace pcl::sedr

@@ -18,8 +18,8 @@ struct PlanInput {
   const pcl::IndicesConstPtr& floor;
   const pcl::IndicesConstPtr& details;
   const pcl::IndicesConstPtr& walls;
-  const pcl::IndicesConstPtr& sheets;
-  std::vector<std::uint32_t> rooms;        ///< of each point; empty: one room
+  std::vector<std::uint32_t> rooms; ///< of each point; empty: one room
+  const std::map<std::uint32_t, HiddenCells>& hidden; ///< of each room
   PointView raw;                           ///< points before thinning, or empty
   const pcl::IndicesConstPtr& raw_indices; ///< null: all
   const std::vector<TiltedFace>& faces;    ///< of tilted walls, and vertical ones
@@ -71,8 +71,8 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
                                         std::to_string(rooms_.size()) + " were set");
   }
   const std::string problem = sedr::fitFloorplan(
-      {sedr::PointView(*input_), *indices_, ceiling_, floor_, details_, walls_, sheets_,
-       rooms_.empty() ? sedr::roomsOf(*input_) : rooms_,
+      {sedr::PointView(*input_), *indices_, ceiling_, floor_, details_, walls_,
+       rooms_.empty() ? sedr::roomsOf(*input_) : rooms_, hidden_,
        raw_ ? raw_() : sedr::PointView(), raw_indices_, faces_,
        scanned_ ? sedr::PointView(*scanned_) : sedr::PointView()},
       parameters_, plan, warnings_, boundaries_, noise_);
