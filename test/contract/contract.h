@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "room_points.h"
+
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -63,37 +66,15 @@ append(std::string& bytes, const pcl::PointCloud<PointT>& cloud)
 inline Cloud::Ptr
 sampleRoom(unsigned seed = 1, double length = 4)
 {
-  const double width = 3;
-  const double height = 2.5;
-  const double step = 0.05;
+  sedr_test::RoomPoints points;
+  points.room(sedr_test::rectangle(-length / 2, -1.5, length / 2, 1.5), 0, 2.5);
+  const Cloud::Ptr cloud = points.cloud();
   std::mt19937 random(seed);
-  const auto jitter = [&] {
-    return static_cast<float>(static_cast<double>(random()) / 4294967296.0 * 0.004 -
-                              0.002);
-  };
-  auto cloud = std::make_shared<Cloud>();
-  const auto add = [&](double x, double y, double z) {
-    cloud->emplace_back(static_cast<float>(x - length / 2) + jitter(),
-                        static_cast<float>(y - width / 2) + jitter(),
-                        static_cast<float>(z) + jitter());
-  };
-  for (double x = step / 2; x < length; x += step)
-    for (double y = step / 2; y < width; y += step) {
-      add(x, y, 0);
-      add(x, y, height);
-    }
-  for (double z = step / 2; z < height; z += step) {
-    for (double x = step / 2; x < length; x += step) {
-      add(x, 0, z);
-      add(x, width, z);
-    }
-    for (double y = step / 2; y < width; y += step) {
-      add(0, y, z);
-      add(length, y, z);
-    }
-  }
-  for (std::size_t i = cloud->size() - 1; i > 0; --i)
-    std::swap((*cloud)[i], (*cloud)[random() % (i + 1)]);
+  std::uniform_real_distribution<float> jitter(-0.002F, 0.002F);
+  for (auto& p : *cloud)
+    p.getVector3fMap() +=
+        Eigen::Vector3f(jitter(random), jitter(random), jitter(random));
+  std::shuffle(cloud->begin(), cloud->end(), random);
   return cloud;
 }
 

@@ -66,11 +66,12 @@ writeE57(Seeds& seeds)
   seeds.write("e57", unsealed(cartesian.file()));
   E57Writer spherical;
   spherical.addScan(
-      "b", {E57TestField::ofDoubles("sphericalRange", real),
-            E57TestField::ofDoubles("sphericalAzimuth", real),
-            E57TestField::ofFloats("sphericalElevation", std::vector<float>(60, 0.5F)),
-            E57TestField::ofIntegers("sphericalInvalidState",
-                                     std::vector<std::int64_t>(60, 0), 0, 2)});
+      "b",
+      {E57TestField::ofReals<double>("sphericalRange", real),
+       E57TestField::ofReals<double>("sphericalAzimuth", real),
+       E57TestField::ofReals<float>("sphericalElevation", std::vector<float>(60, 0.5F)),
+       E57TestField::ofIntegers("sphericalInvalidState",
+                                std::vector<std::int64_t>(60, 0), 0, 2)});
   spherical.addScan("c", {integers("cartesianX"), integers("cartesianY"),
                           integers("cartesianZ"), integers("colorRed"),
                           integers("colorGreen"), integers("colorBlue")});

@@ -103,14 +103,7 @@ protected:
 RoomScan
 twoRooms()
 {
-  RoomScan scan;
-  BoxRoom room;
-  scan.addRoom(room);
-  room.x += room.width + 0.2;
-  room.width = 3.2;
-  room.id = 2;
-  scan.addRoom(room);
-  return scan;
+  return scanOfRooms({{}, {4.57, -1.21, 3.2, 3, 2.5, 2}});
 }
 
 TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
@@ -146,9 +139,9 @@ asE57(const RoomScan& scan)
       local[2].push_back(scan.points[i].z - place.z());
     }
     writer.addScan("station",
-                   {E57TestField::ofDoubles("cartesianX", local[0]),
-                    E57TestField::ofDoubles("cartesianY", local[1]),
-                    E57TestField::ofDoubles("cartesianZ", local[2])},
+                   {E57TestField::ofReals<double>("cartesianX", local[0]),
+                    E57TestField::ofReals<double>("cartesianY", local[1]),
+                    E57TestField::ofReals<double>("cartesianZ", local[2])},
                    E57Writer::pose(1, 0, 0, 0, place.x(), place.y(), place.z()));
   }
   return writer.file();

@@ -3,6 +3,8 @@
 #include "sample_scenes.h"
 #include "simulator/mesh/scene_mesh.h"
 
+#include <pcl/sedr_surface/mesh_topology.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,20 +13,6 @@
 
 namespace pcl::sedr::sim::test {
 namespace {
-
-/** @brief Returns true if every directed edge has exactly one opposite edge. */
-bool
-isClosedManifold(const TriangleMesh& mesh)
-{
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++uses[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [edge, count] : uses)
-    if (count != 1 || uses.count({edge.second, edge.first}) == 0)
-      return false;
-  return !uses.empty();
-}
 
 double
 areaOf(const TriangleMesh& mesh, Label label)
@@ -61,7 +49,7 @@ TEST_P(RoomMesh, isClosedAndHasTheVolumeAndAreasOfItsParts)
 {
   const Expected& e = GetParam();
   const TriangleMesh mesh = truthOf(meshOf(read(with(boxFile(), e.changes))));
-  EXPECT_TRUE(isClosedManifold(mesh));
+  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
   EXPECT_NEAR(mesh.signedVolume(), e.volume, 60 * e.tolerance);
   EXPECT_NEAR(areaOf(mesh, Label::Ceiling), e.ceiling, 60 * e.tolerance);
   EXPECT_NEAR(areaOf(mesh, Label::Floor), e.floor, 60 * e.tolerance);
@@ -164,7 +152,7 @@ TEST(SceneMesh, ofEveryBuiltInSceneIsOneClosedComponentARoom)
 {
   for (const Scene& scene : allScenes()) {
     const TriangleMesh mesh = truthOf(meshOf(scene));
-    EXPECT_TRUE(isClosedManifold(mesh)) << scene.name;
+    EXPECT_TRUE(checkTopology(mesh).isClosedManifold()) << scene.name;
     std::set<std::uint32_t> numbers(mesh.rooms.begin(), mesh.rooms.end());
     EXPECT_EQ(numbers.size(), scene.rooms.size()) << scene.name;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -190,7 +178,7 @@ TEST(SceneMesh, closesOpeningsWithFacesOfTheirNumberOnBothSides)
   EXPECT_NEAR((areas[{Surface::Gap, 2}]), 2, 1e-9);
   EXPECT_NEAR((areas[{Surface::Pane, 2}]), 2, 1e-9);
   EXPECT_NEAR((areas[{Surface::Object, 1}]), 2 * 2 * 0.1, 1e-9); // jambs
-  EXPECT_TRUE(isClosedManifold(truthOf(scene)));
+  EXPECT_TRUE(checkTopology(truthOf(scene)).isClosedManifold());
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan_loops.h"
+#include "sample_files.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
@@ -65,41 +66,48 @@ public:
    * part of the wall at y + depth, and a table. */
   void addRoom(const BoxRoom& room)
   {
-    const auto add = [&](double x1, double y1, double z1, double x2, double y2,
-                         double z2, Label label) {
-      addPiece({room.x + x1, room.y + y1, z1}, {room.x + x2, room.y + y2, z2}, label,
-               room.id);
+    struct Piece {
+      Eigen::Vector3d low;
+      Eigen::Vector3d high;
+      Label label;
     };
     const double w = room.width;
     const double d = room.depth;
     const double h = room.height;
-    const double soffit = room.has_soffit ? 0.6 : 0;
     const double low = h - 0.4;
-    add(0, 0, 0, w, d - 0.5, 0, Label::Floor); // none below the cupboard
-    add(soffit, 0, h, w, d, h, Label::Ceiling);
-    if (room.has_soffit) {
-      add(0, 0, low, soffit, d, low, Label::Detail);
-      add(soffit, 0, low, soffit, d, h, Label::Detail);
-    }
-    add(0, 0, 0, 0, d, room.has_soffit ? low : h, Label::Wall);
-    add(w, 0, 0, w, d, h, Label::Wall);
-    addWalls(room, soffit);
-    addFurniture(room);
+    const double soffit = room.has_soffit ? 0.6 : 0; // without, its pieces are empty
+    const double left = room.has_soffit ? low : h;
+    const Eigen::Vector3d corner(room.x, room.y, 0);
+    for (const Piece& piece : std::vector<Piece>{
+             {{0, 0, 0}, {w, d - 0.5, 0}, Label::Floor}, // none below the cupboard
+             {{soffit, 0, h}, {w, d, h}, Label::Ceiling},
+             {{0, 0, low}, {soffit, d, low}, Label::Detail},
+             {{soffit, 0, left}, {soffit, d, h}, Label::Detail},
+             {{0, 0, 0}, {0, d, left}, Label::Wall},
+             {{w, 0, 0}, {w, d, h}, Label::Wall},
+             {{0, 0, 0}, {soffit, 0, low}, Label::Wall},
+             {{0, d, 0}, {soffit, d, low}, Label::Wall},
+             {{soffit, 0, 0}, {2, 0, h}, Label::Wall}, // the doorway is 2 m high
+             {{2, 0, 2}, {3, 0, h}, Label::Wall},
+             {{3, 0, 0}, {w, 0, h}, Label::Wall},
+             {{soffit, d, 0}, {1.5, d, h}, Label::Wall}, // the cupboard is 1.8 m high
+             {{1.5, d, 1.8}, {2.5, d, h}, Label::Wall},
+             {{2.5, d, 0}, {w, d, h}, Label::Wall},
+             {{1.5, d - 0.5, 0}, {2.5, d - 0.5, 1.8}, Label::Other},
+             {{1.5, d - 0.5, 1.8}, {2.5, d, 1.8}, Label::Other},
+             {{1.5, d - 0.5, 0}, {1.5, d, 1.8}, Label::Other},
+             {{2.5, d - 0.5, 0}, {2.5, d, 1.8}, Label::Other},
+             {{1.2, 0.8, 0.75}, {2.8, 1.6, 0.75}, Label::Other}})
+      addPiece(corner + piece.low, corner + piece.high, piece.label,
+               piece.label == Label::Other ? 0 : room.id);
   }
 
   /** Returns a PCD of x, y, z and the number of the point as intensity, and with label
    * and room if requested. */
   std::string pcd(bool with_labels) const
   {
-    const std::string n = std::to_string(points.size());
-    std::string bytes =
-        with_labels
-            ? "VERSION 0.7\nFIELDS x y z intensity label room\nSIZE 4 4 4 4 4 4\n"
-              "TYPE F F F F U U\nCOUNT 1 1 1 1 1 1\n"
-            : "VERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\n"
-              "COUNT 1 1 1 1\n";
-    bytes += "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
-             "\nDATA binary\n";
+    std::string bytes = pcdHeader(
+        with_labels ? "x y z intensity label room" : "x y z intensity", points.size());
     const auto append = [&](const auto& value) {
       bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     };
@@ -149,41 +157,6 @@ private:
     return static_cast<double>(state_ >> 8) / (1 << 24);
   }
 
-  void addWalls(const BoxRoom& room, double soffit)
-  {
-    const auto add = [&](double x1, double y, double z1, double x2, double z2) {
-      addPiece({room.x + x1, room.y + y, z1}, {room.x + x2, room.y + y, z2},
-               Label::Wall, room.id);
-    };
-    const double w = room.width;
-    const double h = room.height;
-    const double low = h - 0.4;
-    if (room.has_soffit)
-      for (const double y : {0.0, room.depth})
-        add(0, y, 0, soffit, low);
-    add(soffit, 0, 0, 2, h); // the doorway is from 2 to 3 and 2 m high
-    add(2, 0, 2, 3, h);
-    add(3, 0, 0, w, h);
-    add(soffit, room.depth, 0, 1.5, h); // the cupboard from 1.5 to 2.5, 1.8 m high
-    add(1.5, room.depth, 1.8, 2.5, h);
-    add(2.5, room.depth, 0, w, h);
-  }
-
-  void addFurniture(const BoxRoom& room)
-  {
-    const auto add = [&](double x1, double y1, double z1, double x2, double y2,
-                         double z2) {
-      addPiece({room.x + x1, room.y + y1, z1}, {room.x + x2, room.y + y2, z2},
-               Label::Other, 0);
-    };
-    const double d = room.depth;
-    add(1.5, d - 0.5, 0, 2.5, d - 0.5, 1.8);
-    add(1.5, d - 0.5, 1.8, 2.5, d, 1.8);
-    add(1.5, d - 0.5, 0, 1.5, d, 1.8);
-    add(2.5, d - 0.5, 0, 2.5, d, 1.8);
-    add(1.2, 0.8, 0.75, 2.8, 1.6, 0.75);
-  }
-
   std::uint32_t state_ = 1;
 };
 
@@ -192,6 +165,15 @@ scanOf(const BoxRoom& room = BoxRoom())
 {
   RoomScan scan;
   scan.addRoom(room);
+  return scan;
+}
+
+inline RoomScan
+scanOfRooms(const std::vector<BoxRoom>& rooms)
+{
+  RoomScan scan;
+  for (const BoxRoom& room : rooms)
+    scan.addRoom(room);
   return scan;
 }
 

@@ -7,24 +7,36 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace programs {
+
+/** Returns the header of a binary PCD with fields of four bytes: whole numbers for
+ * label and room, else floats. */
+inline std::string
+pcdHeader(const std::string& fields, std::size_t points)
+{
+  std::string sizes;
+  std::string types;
+  std::string counts;
+  std::istringstream names(fields);
+  for (std::string name; names >> name; sizes += " 4", counts += " 1")
+    types += name == "label" || name == "room" ? " U" : " F";
+  const std::string n = std::to_string(points);
+  return "VERSION 0.7\nFIELDS " + fields + "\nSIZE" + sizes + "\nTYPE" + types +
+         "\nCOUNT" + counts + "\nWIDTH " + n +
+         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+}
 
 /** Returns a PCD of floats x y z, and a label if `labels` are given. */
 inline std::string
 pcdBytes(const std::vector<std::vector<float>>& points,
          const std::vector<std::uint32_t>& labels = {})
 {
-  const std::string n = std::to_string(points.size());
-  std::string bytes = labels.empty()
-                          ? "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
-                            "COUNT 1 1 1\n"
-                          : "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\n"
-                            "TYPE F F F U\nCOUNT 1 1 1 1\n";
-  bytes += "WIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
-           "\nDATA binary\n";
+  std::string bytes =
+      pcdHeader(labels.empty() ? "x y z" : "x y z label", points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     bytes.append(reinterpret_cast<const char*>(points[i].data()), 3 * sizeof(float));
     if (!labels.empty())

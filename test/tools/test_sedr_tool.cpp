@@ -242,12 +242,8 @@ TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)
 
 TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
 {
-  RoomScan scan = scanOf();
-  BoxRoom other;
-  other.x += other.width + 0.1;
-  other.has_soffit = true;
-  scan.addRoom(other);
-  const std::string bytes = scan.pcd(false);
+  const std::string bytes =
+      scanOfRooms({{}, {4.47, -1.21, 4, 3, 2.5, 1, true}}).pcd(false);
   Strings results;
   for (const char* threads : {"1", "3"}) {
     ASSERT_EQ(onFile(bytes, {"--threads", threads}).exit_code, 0);

@@ -110,9 +110,7 @@ TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
                   p.z *= 0.1f;
                 })),
                 2, "too small");
-  RoomScan turned = scanOf({0, 0, 6, 5});
-  for (const BoxRoom& room : {BoxRoom{0, 5.11, 4, 3}, BoxRoom{4.13, 5.11, 5, 4.27}})
-    turned.addRoom(room);
+  RoomScan turned = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}, {4.13, 5.11, 5, 4.27}});
   for (auto& p : turned.points)
     std::swap(p.y, p.z);
   const ProgramRun doubted = onFile(turned.pcd(false)); // bare walls are like floors

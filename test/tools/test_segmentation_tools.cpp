@@ -18,14 +18,8 @@ using SegmentationTools = LabellingTools;
 
 TEST_F(SegmentationTools, SliceDetailFindsTheSoffitOfEveryRoom)
 {
-  RoomScan scan;
-  for (const std::uint32_t id : {7u, 4u}) {
-    BoxRoom room;
-    room.id = id;
-    room.x += id == 7 ? 4.1 : 0; // a partition of 10 cm
-    room.has_soffit = true;
-    scan.addRoom(room);
-  }
+  const RoomScan scan = scanOfRooms( // with a partition of 10 cm
+      {{4.47, -1.21, 4, 3, 2.5, 7, true}, {0.37, -1.21, 4, 3, 2.5, 4, true}});
   RoomScan undersides = scan;
   for (auto& p : undersides.points)
     if (p.z > 2.11f)
@@ -65,13 +59,8 @@ TEST_F(SegmentationTools, SliceDetailSaysWhatIsMissing)
 
 TEST_F(SegmentationTools, FloorplanFittingGivesTheWallsOfEveryRoom)
 {
-  RoomScan scan;
-  for (const std::uint32_t id : {3u, 5u}) {
-    BoxRoom room;
-    room.id = id;
-    room.x += id == 3 ? 0 : 4.1;
-    scan.addRoom(room);
-  }
+  const RoomScan scan =
+      scanOfRooms({{0.37, -1.21, 4, 3, 2.5, 3}, {4.47, -1.21, 4, 3, 2.5, 5}});
   const ProgramRun result = runOn(FLOORPLAN_FITTING, scan.pcd(true), "output.json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";

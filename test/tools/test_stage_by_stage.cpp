@@ -24,16 +24,8 @@ using pcl::sedr::tools::ToolCloud;
 RoomScan
 twoRooms()
 {
-  RoomScan scan;
-  for (const std::uint32_t id : {1u, 2u}) {
-    BoxRoom room;
-    room.id = id;
-    room.has_soffit = id == 1;
-    room.width = id == 1 ? 4 : 3;
-    room.x += id == 1 ? 0 : 4.1; // a partition of 10 cm
-    scan.addRoom(room);
-  }
-  return scan;
+  return scanOfRooms( // with a partition of 10 cm
+      {{0.37, -1.21, 4, 3, 2.5, 1, true}, {4.47, -1.21, 3, 3, 2.5, 2}});
 }
 
 /** Runs the programs of the stages with their defaults. */

@@ -2,16 +2,16 @@
 // Positions of a scanner that the scan contradicts.
 #include "sedr_filters/src/rays/mirrored_points.h"
 
+#include <pcl/point_types.h>
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <random>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -41,39 +41,24 @@ public:
   }
 
   /** @param voxel edge of those that are thinned to one point; 0: all points */
-  MirroredPoints found(const ScanPositions& from, double voxel = 0) const
+  MirroredPoints found(const ScanPositions& from, float voxel = 0) const
   {
-    const PointView view(rows_.data(), sizeof(Vector3f), rows_.size());
-    const std::vector<Vector3f> thinned = voxel > 0 ? thinnedTo(voxel) : rows_;
-    return findMirroredPoints({thinned.data(), sizeof(Vector3f), thinned.size()}, view,
-                              1, from, 2);
+    pcl::PointCloud<pcl::PointXYZ> thinned = *rows_;
+    if (voxel > 0) {
+      pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+      grid.setInputCloud(rows_);
+      grid.setLeafSize(voxel, voxel, voxel);
+      grid.filter(thinned);
+    }
+    return findMirroredPoints(PointView(thinned), PointView(*rows_), 1, from, 2);
   }
 
   ScanPositions positions;
 
 private:
-  std::vector<Vector3f> thinnedTo(double voxel) const
-  {
-    std::map<std::array<int, 3>, std::pair<Vector3d, int>> sums;
-    for (const Vector3f& p : rows_) {
-      std::array<int, 3> cube{};
-      for (int axis = 0; axis < 3; ++axis)
-        cube[static_cast<std::size_t>(axis)] =
-            static_cast<int>(std::floor(p[axis] / voxel));
-      auto& [sum, count] =
-          sums.emplace(cube, std::make_pair(Vector3d(0, 0, 0), 0)).first->second;
-      sum += p.cast<double>();
-      ++count;
-    }
-    std::vector<Vector3f> thinned;
-    for (const auto& [cube, sum] : sums)
-      thinned.push_back((sum.first / sum.second).cast<float>());
-    return thinned;
-  }
-
   void scanFrom(const Vector3d& place)
   {
-    positions.push_back({rows_.size(), place.cast<float>()});
+    positions.push_back({rows_->size(), place.cast<float>()});
     for (int i = 0; i < 100000; ++i) {
       const double up = 2 * uniform_(random_) - 1;
       const double around = 2 * M_PI * uniform_(random_);
@@ -93,7 +78,8 @@ private:
       from = hit + 0.2 / std::abs(direction.x()) * direction;
       hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
     }
-    rows_.push_back(hit.cast<float>());
+    const Vector3f p = hit.cast<float>();
+    rows_->push_back({p.x(), p.y(), p.z()});
   }
 
   static Eigen::AlignedBox3d roomOf(bool is_first)
@@ -118,7 +104,7 @@ private:
 
   static constexpr double middle = 6.1;
   double returned_;
-  std::vector<Vector3f> rows_;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr rows_{new pcl::PointCloud<pcl::PointXYZ>};
   std::mt19937 random_{1};
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
@@ -145,7 +131,7 @@ TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
 
 TEST(TruePlaces, TheCornerOfARoomIsNone)
 {
-  constexpr double voxel = 0.05;
+  constexpr float voxel = 0.05F;
   const TwoRooms rooms(1);
   for (const Vector3f& corner : {Vector3f(0, 0, 0), Vector3f(0.04F, 0.05F, 0)}) {
     ScanPositions positions = rooms.positions;
@@ -158,7 +144,7 @@ TEST(TruePlaces, TheCornerOfARoomIsNone)
 
 TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
 {
-  constexpr double voxel = 0.1;
+  constexpr float voxel = 0.1F;
   for (const double returned : {0.05, 0.2, 1.})
     EXPECT_TRUE(
         TwoRooms(returned).found(TwoRooms(returned).positions, voxel).untrue.empty())
@@ -194,7 +180,7 @@ TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)
 
 TEST(TruePlaces, OneFarAwayIsUntrue)
 {
-  const MirroredPoints found = TwoRooms(1).found({{0, {691600, 5336000, 500}}}, 0.05);
+  const MirroredPoints found = TwoRooms(1).found({{0, {691600, 5336000, 500}}}, 0.05F);
   EXPECT_EQ(found.untrue.size(), 1u);
   EXPECT_TRUE(found.lines.empty());
 }

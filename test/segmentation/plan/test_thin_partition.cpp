@@ -113,4 +113,13 @@ TEST(ThinPartition, BothFacesOfAThinPartitionStayApart)
     }
 }
 
+TEST(ClusterBoxes, OneThatGrowsIsJoinedWithThoseItThenMeets)
+{
+  // The third meets the second; both together surround the first.
+  const auto clusters =
+      clusterBoxes({{{2, 2}, {4, 4}}, {{10, 0}, {14, 20}}, {{0, 16}, {11, 20}}}, 0);
+  ASSERT_EQ(clusters.size(), 1u);
+  EXPECT_EQ(clusters[0].count(), 15u * 21u);
+}
+
 } // namespace

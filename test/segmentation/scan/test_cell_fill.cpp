@@ -37,28 +37,6 @@ full(std::int32_t width, std::int32_t height)
   return CellSet(std::move(keys));
 }
 
-TEST(CellSize, OfADenseScanStays)
-{
-  EXPECT_EQ(0.05, cellSizeFor({full(100, 60)}, 0.05));
-  EXPECT_EQ(0.05, cellSizeFor({scattered(4000, 0.05)}, 0.05));
-}
-
-TEST(CellSize, OfASparseScanGrowsUntilNearlyAllAreFilled)
-{
-  // 1 - exp(-400 size^2) = 0.97 at 9.4 cm; the squares scatter about that.
-  const double size = cellSizeFor({scattered(400, 0.05)}, 0.05);
-  EXPECT_NEAR(std::sqrt(-std::log(0.03) / 400), size, 0.02);
-  EXPECT_EQ(size, 1 / std::round(1 / size)) << "a whole part of a metre";
-  EXPECT_EQ(size, cellSizeFor({scattered(400, size)}, size));
-}
-
-TEST(CellSize, GrowsNoMoreThanTwoAndAHalfTimes)
-{
-  EXPECT_NEAR(0.125, cellSizeFor({scattered(60, 0.05)}, 0.05), 0.006);
-  const double size = cellSizeFor({scattered(40, 0.06)}, 0.06);
-  EXPECT_EQ(size, 1.0 / 7) << "1/6 m would be more than 2.5 times 0.06 m";
-}
-
 TEST(CellSize, IsNotChangedByWhatHidesALargePart)
 {
   const CellSet ceiling = full(100, 60);
@@ -69,13 +47,6 @@ TEST(CellSize, IsNotChangedByWhatHidesALargePart)
       seen.push_back(key);
   }
   EXPECT_EQ(0.05, cellSizeFor({CellSet(std::move(seen))}, 0.05));
-}
-
-TEST(CellSize, IsThatOfTheScanNotOfOnePlace)
-{
-  // A dense ceiling, and a patch beside it that a mirror shows.
-  const CellSet ghost = scattered(60, 0.05, 20, 1);
-  EXPECT_EQ(0.05, cellSizeFor({full(300, 200), ghost}, 0.05));
 }
 
 TEST(CellSize, IsNotChangedByGhostsLargerThanTheCeiling)
@@ -94,17 +65,6 @@ TEST(CellSize, GrowsForASparseThirdOfAScanOnlyWhereTheRestIsNotFilled)
     const double expected = rest < 1500 ? std::sqrt(-std::log(0.03) / 400) : 0.05;
     EXPECT_NEAR(expected, cellSizeFor(ceilings, 0.05), 0.02) << rest;
   }
-}
-
-TEST(CellSize, OfTheLargestCellsIsAMetreAtMost)
-{
-  EXPECT_EQ(1, cellSizeFor({scattered(4, 0.6)}, 0.6));
-}
-
-TEST(CellSize, OfNothingStays)
-{
-  EXPECT_EQ(0.05, cellSizeFor({}, 0.05));
-  EXPECT_EQ(0.05, cellSizeFor({CellSet(), full(3, 3)}, 0.05));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lattice_room.h"
 #include "surface/mesh/meshes.h"
+#include "surface/poisson/oriented_rooms.h"
 #include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
@@ -24,12 +24,8 @@ namespace {
 std::string
 structureBytes(const std::vector<pcl::sedr::OrientedPoint>& points, std::uint32_t room)
 {
-  const std::string n = std::to_string(points.size());
   std::string bytes =
-      "VERSION 0.7\nFIELDS x y z normal_x normal_y normal_z label room\n"
-      "SIZE 4 4 4 4 4 4 4 4\nTYPE F F F F F F U U\nCOUNT 1 1 1 1 1 1 1 1\n"
-      "WIDTH " +
-      n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+      pcdHeader("x y z normal_x normal_y normal_z label room", points.size());
   for (const auto& p : points) {
     const std::uint32_t label = p.normal.z() > 0.5f ? 2 : p.normal.z() < -0.5f ? 1 : 3;
     bytes.append(reinterpret_cast<const char*>(p.position.data()), 12);
@@ -51,7 +47,7 @@ protected:
 
 TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
 {
-  writeFile(in("room.pcd"), structureBytes(LatticeRoom(6, 5, 5).points(0.125), 4));
+  writeFile(in("room.pcd"), structureBytes(orientedPoints(smallRoom(), 0.125), 4));
   const ProgramRun result = run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, ""); // quiet when piped

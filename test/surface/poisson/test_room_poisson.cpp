@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "oriented_rooms.h"
 #include "sedr_surface/src/mesh/mesh_repair.h"
-#include "surface/chain/lattice_room.h"
 
 #include "sedr_surface/src/poisson/room_poisson.h"
 #include "sedr_surface/src/solver/surface_samples.h"
@@ -13,15 +13,24 @@ using namespace sedr_test;
 
 namespace {
 
+/** 6 m x 5 m x 3 m. */
+PlanRoom
+boxRoom()
+{
+  return roomOf(rectangle(0, 0, 6, 5), 3);
+}
+
 struct Case {
   const char* name;
-  LatticeRoom room;
+  PlanRoom room;
   int euler;
+  double degrees;
+  Eigen::Vector3d shift;
 };
 
 // Expects a mesh close enough to the room.
 void
-expectGood(const LatticeRoom& room,
+expectGood(const TriangleMesh& truth,
            const TriangleMesh& mesh,
            const RoomPoissonReport& report,
            int euler)
@@ -31,7 +40,6 @@ expectGood(const LatticeRoom& room,
   EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
   EXPECT_EQ(topology.components.size(), 1u);
   EXPECT_EQ(topology.euler_characteristic, euler);
-  const TriangleMesh truth = room.truth();
   EXPECT_NEAR(mesh.signedVolume() / truth.signedVolume(), 1, 0.005);
   EXPECT_LT(mesh.signedVolume(), 0); // normals into the room
   const DistanceStatistics completeness = summarizeDistances(
@@ -48,17 +56,28 @@ expectGood(const LatticeRoom& room,
 
 TEST(RoomPoisson, rooms_of_perfect_points_come_back)
 {
-  const Case cases[] = {{"box", boxRoom().placed(17, {0.13, 0.27, 0.31}), 2},
-                        {"L", lRoom().placed(0, {3, -2, 0}), 2},
-                        {"soffit", soffitRoom().placed(30, {0.1, 0, 0}), 2},
-                        {"column", columnRoom().placed(8, {0, 0, -1}), 0}};
-  for (const Case& c : cases) {
+  PlanRoom l = boxRoom(); // without a quarter
+  l.boundary = polygon({{0, 0}, {6, 0}, {6, 2.5}, {3, 2.5}, {3, 5}, {0, 5}});
+  PlanRoom soffit = boxRoom(); // 1 m wide along two walls
+  soffit.details = {
+      detailOf(polygon({{0, 0}, {6, 0}, {6, 1}, {1, 1}, {1, 5}, {0, 5}}), 2.5)};
+  PlanRoom column = boxRoom();
+  column.columns = {reversed(circle({2.5, 3}, 0.3))};
+  for (const Case& c : {Case{"box", boxRoom(), 2, 17, {0.13, 0.27, 0.31}},
+                        {"L", l, 2, 0, {3, -2, 0}},
+                        {"soffit", soffit, 2, 30, {0.1, 0, 0}},
+                        {"column", column, 0, 8, {0, 0, -1}}}) {
     SCOPED_TRACE(c.name);
-    const auto points = c.room.points(1. / 12); // coarser than the default to save time
+    // Coarser than the default to save time.
+    const auto points = placed(orientedPoints(c.room, 1. / 12), c.degrees, c.shift);
     auto [mesh, report] =
         surfaceOf({0, points, std::vector<std::uint32_t>(points.size(), 3)}, {});
     ASSERT_FALSE(mesh.empty()) << report.problem;
-    expectGood(c.room, mesh, report, c.euler);
+    const Eigen::AngleAxisd turn(c.degrees * M_PI / 180, Eigen::Vector3d::UnitZ());
+    TriangleMesh truth = solidOf(c.room);
+    for (Eigen::Vector3d& v : truth.vertices)
+      v = turn * v + c.shift;
+    expectGood(truth, mesh, report, c.euler);
     EXPECT_EQ(report.points, points.size());
     EXPECT_NEAR(report.spacing, 1. / 12, 0.006);
     EXPECT_NEAR(report.cell, 0.8 * report.spacing, 0.15 * report.spacing);
@@ -71,24 +90,25 @@ TEST(RoomPoisson, sheets_that_meet_in_one_vertical_edge_stay_apart)
 {
   // Two pillars, or a soffit above an object: the vertices of both sheets move to the
   // common edge, and some to the same point on it.
-  const auto pillars = [](int x, int y, int) {
-    return !((x == 2 && y == 2) || (x == 3 && y == 3));
-  };
-  const auto crossed = [](int x, int y, int z) {
-    return !((x == 2 && y == 2 && z >= 3) || (x == 3 && y == 3 && z < 3));
-  };
+  const PlanLoop one = rectangle(1, 1, 1.5, 1.5);
+  const PlanLoop other = rectangle(1.5, 1.5, 2, 2);
+  PlanRoom pillars = roomOf(rectangle(0, 0, 3, 3), 2.5);
+  PlanRoom crossed = pillars;
+  pillars.columns = {reversed(one), reversed(other)};
+  crossed.details = {detailOf(one, 1.5)};
+  crossed.floor_details = {detailOf(other, 1.5)};
   std::size_t parted = 0;
-  for (const LatticeRoom& room :
-       {LatticeRoom(6, 6, 5, pillars), LatticeRoom(6, 6, 5, crossed)})
+  for (const auto& [room, volume] :
+       {std::pair(pillars, 8.5 * 2.5), std::pair(crossed, 9 * 2.5 - 0.25 * 2.5)})
     for (const double degrees : {0.0, 8.0, 17.0, 45.0}) {
       SCOPED_TRACE(degrees);
-      const auto points = LatticeRoom(room).placed(degrees, {0.1, 0.03, 0}).points(0.1);
+      const auto points = placed(orientedPoints(room, 0.1), degrees, {0.1, 0.03, 0});
       auto [mesh, report] = surfaceOf({0, points}, {});
       ASSERT_FALSE(mesh.empty()) << report.problem;
       EXPECT_TRUE(report.closed) << report.problem;
       EXPECT_EQ(weldVertices(mesh), 0u);
       EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
-      EXPECT_NEAR(report.volume, room.truth().signedVolume() * -1, 0.05);
+      EXPECT_NEAR(report.volume, volume, 0.05);
       parted += report.parted_vertices;
     }
   EXPECT_GT(parted, 0u) << "the case is not met";
@@ -97,8 +117,8 @@ TEST(RoomPoisson, sheets_that_meet_in_one_vertical_edge_stay_apart)
 TEST(RoomPoisson, large_coordinates_cost_no_more_than_their_own_digits)
 {
   // A float resolves 8 mm there.
-  const LatticeRoom room = boxRoom().placed(17, {100000, -60000, 250});
-  auto [mesh, report] = surfaceOf({0, room.points(0.125)}, {});
+  auto [mesh, report] = surfaceOf(
+      {0, placed(orientedPoints(boxRoom(), 0.125), 17, {100000, -60000, 250})}, {});
   ASSERT_FALSE(mesh.empty()) << report.problem;
   EXPECT_TRUE(report.closed) << report.problem;
   EXPECT_NEAR(report.volume, 90, 1);
@@ -112,7 +132,7 @@ TEST(RoomPoisson, large_coordinates_cost_no_more_than_their_own_digits)
 TEST(RoomPoisson, points_that_enclose_nothing_do_not_pass_as_a_room)
 {
   std::vector<OrientedPoint> floor;
-  for (const auto& p : boxRoom().points(0.125))
+  for (const auto& p : orientedPoints(boxRoom(), 0.125))
     if (p.normal.z() > 0.5)
       floor.push_back(p);
   const RoomPoissonReport report = surfaceOf({0, floor}, {}).report;
@@ -123,7 +143,7 @@ TEST(RoomPoisson, points_that_enclose_nothing_do_not_pass_as_a_room)
 TEST(RoomPoisson, points_as_far_away_as_numbers_go_are_refused)
 {
   for (const float far : {1e7F, 1e20F, 3e38F}) {
-    auto points = boxRoom().points(0.125);
+    auto points = orientedPoints(boxRoom(), 0.125);
     points[7].position.x() = far;
     points[8].position.y() = -far;
     const auto [mesh, report] = surfaceOf({0, points}, {});
@@ -136,7 +156,7 @@ TEST(RoomPoisson, points_as_far_away_as_numbers_go_are_refused)
 TEST(RoomPoisson, a_room_without_a_floor_comes_with_a_warning)
 {
   std::vector<OrientedPoint> points;
-  for (const auto& p : boxRoom().points(0.125))
+  for (const auto& p : orientedPoints(boxRoom(), 0.125))
     if (p.normal.z() < 0.5)
       points.push_back(p);
   auto [mesh, report] = surfaceOf({0, points}, {});
@@ -147,7 +167,7 @@ TEST(RoomPoisson, a_room_without_a_floor_comes_with_a_warning)
 
 TEST(RoomPoisson, of_two_rooms_that_are_apart_one_is_told_to_be_missing)
 {
-  auto points = LatticeRoom(6, 5, 5).points(0.125);
+  auto points = orientedPoints(smallRoom(), 0.125);
   const std::string warning = surfaceOf({0, points}, {}).report.warning;
   EXPECT_TRUE(warning.empty()) << warning;
   const std::size_t half = points.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface/chain/lattice_room.h"
+#include "oriented_rooms.h"
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/sedr_surface/mesh_topology.h>
@@ -31,24 +31,17 @@ cloudOf(const std::vector<OrientedPoint>& points)
   return cloud;
 }
 
-LatticeRoom
-smallRoom()
-{
-  return LatticeRoom(6, 5, 5);
-}
-
 // Two rooms, 7 and 3, with a wall of 10 cm between them, as one cloud.
 pcl::PointCloud<pcl::PointStructure>::Ptr
 twoRooms()
 {
-  LatticeRoom other = smallRoom();
-  other.placed(0, {3.1, 0, 0});
-  auto cloud = cloudOf<pcl::PointStructure>(smallRoom().points(coarse));
+  const auto points = orientedPoints(smallRoom(), coarse);
+  auto cloud = cloudOf<pcl::PointStructure>(points);
   for (auto& p : *cloud) {
     p.room = 7;
     p.label = p.normal_z > 0.5f ? 2 : p.normal_z < -0.5f ? 1 : 3;
   }
-  auto second = cloudOf<pcl::PointStructure>(other.points(coarse));
+  auto second = cloudOf<pcl::PointStructure>(placed(points, 0, {3.1, 0, 0}));
   for (auto& p : *second)
     p.room = 3;
   *cloud += *second;
@@ -135,7 +128,7 @@ TEST(StructuralPoisson, room_zero_is_left_out)
 
 TEST(StructuralPoisson, bad_points_are_skipped_and_counted_and_normals_scaled)
 {
-  auto cloud = cloudOf<pcl::PointXYZRGBNormal>(smallRoom().points(coarse));
+  auto cloud = cloudOf<pcl::PointXYZRGBNormal>(orientedPoints(smallRoom(), coarse));
   const std::size_t good = cloud->size() - 3;
   (*cloud)[5].x = std::numeric_limits<float>::quiet_NaN();
   (*cloud)[6].normal_y = std::numeric_limits<float>::infinity();
@@ -173,7 +166,8 @@ TEST(StructuralPoisson, a_room_that_fails_is_named_and_the_others_are_made)
 TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
 {
   for (const float far : {1e4f, 1e6f}) {
-    const auto with_stray = cloudOf<pcl::PointNormal>(smallRoom().points(coarse));
+    const auto with_stray =
+        cloudOf<pcl::PointNormal>(orientedPoints(smallRoom(), coarse));
     with_stray->back().x = far;
     pcl::StructuralPoisson<pcl::PointNormal> of_stray;
     of_stray.setInputCloud(with_stray);
@@ -183,7 +177,7 @@ TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
   expectReason(poisson, "no input cloud is set");
   poisson.setInputCloud(std::make_shared<pcl::PointCloud<pcl::PointNormal>>());
   expectReason(poisson, "the input cloud is empty");
-  const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
+  const auto cloud = cloudOf<pcl::PointNormal>(orientedPoints(smallRoom(), 0.25));
   poisson.setInputCloud(cloud);
   poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{3}));
   expectReason(poisson, "there are 1");

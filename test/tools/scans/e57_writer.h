@@ -19,27 +19,18 @@ struct E57TestField {
   unsigned bits = 0;
   std::vector<std::uint64_t> stored; ///< the bits of each value
 
-  static E57TestField ofFloats(const std::string& name,
-                               const std::vector<float>& values)
+  /** Returns a field of float or double values. */
+  template <typename T>
+  static E57TestField ofReals(const std::string& name, const std::vector<T>& values)
   {
-    E57TestField field{name, "type=\"Float\" precision=\"single\"", 32, {}};
-    for (const float value : values) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &value, sizeof bits);
-      field.stored.push_back(bits);
-    }
-    return field;
-  }
-
-  static E57TestField ofDoubles(const std::string& name,
-                                const std::vector<double>& values)
-  {
-    E57TestField field{name, "type=\"Float\"", 64, {}};
-    for (const double value : values) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &value, sizeof bits);
-      field.stored.push_back(bits);
-    }
+    const bool is_single = sizeof(T) == 4;
+    E57TestField field{name,
+                       is_single ? "type=\"Float\" precision=\"single\""
+                                 : "type=\"Float\"",
+                       8 * sizeof(T),
+                       {}};
+    for (const T value : values)
+      std::memcpy(&field.stored.emplace_back(0), &value, sizeof value);
     return field;
   }
 

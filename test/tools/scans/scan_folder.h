@@ -115,9 +115,9 @@ realFields(const std::vector<double>& x,
            const std::vector<double>& y,
            const std::vector<double>& z)
 {
-  return {E57TestField::ofDoubles("cartesianX", x),
-          E57TestField::ofDoubles("cartesianY", y),
-          E57TestField::ofDoubles("cartesianZ", z)};
+  return {E57TestField::ofReals<double>("cartesianX", x),
+          E57TestField::ofReals<double>("cartesianY", y),
+          E57TestField::ofReals<double>("cartesianZ", z)};
 }
 
 /** Returns a LAS file of three points: (2, 0, 6.5), (1, 2, 3), (0.999, 2.001, 5.147).

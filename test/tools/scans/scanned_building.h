@@ -121,9 +121,9 @@ protected:
       azimuth.push_back(std::atan2(p.y(), p.x()));
       elevation.push_back(std::asin(p.z() / p.norm()));
     }
-    return {E57TestField::ofDoubles("sphericalRange", range),
-            E57TestField::ofDoubles("sphericalAzimuth", azimuth),
-            E57TestField::ofDoubles("sphericalElevation", elevation)};
+    return {E57TestField::ofReals<double>("sphericalRange", range),
+            E57TestField::ofReals<double>("sphericalAzimuth", azimuth),
+            E57TestField::ofReals<double>("sphericalElevation", elevation)};
   }
 
   static std::vector<E57TestField> cartesian(const std::vector<Eigen::Vector3d>& points)

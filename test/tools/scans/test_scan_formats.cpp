@@ -197,9 +197,9 @@ TEST_F(ScanFormats, E57OfSeveralPosesStandsInOneFrame)
   const double half = std::sqrt(0.5);
   E57Writer writer;
   writer.addScan("a",
-                 {E57TestField::ofDoubles("sphericalRange", {2, 2, 1}),
-                  E57TestField::ofDoubles("sphericalAzimuth", {0, M_PI / 2, 1}),
-                  E57TestField::ofDoubles("sphericalElevation", {0, 0, M_PI / 2}),
+                 {E57TestField::ofReals<double>("sphericalRange", {2, 2, 1}),
+                  E57TestField::ofReals<double>("sphericalAzimuth", {0, M_PI / 2, 1}),
+                  E57TestField::ofReals<double>("sphericalElevation", {0, 0, M_PI / 2}),
                   E57TestField::ofIntegers("sphericalInvalidState", {0, 0, 0}, 0, 2)},
                  E57Writer::pose(half, 0, 0, half, 10, 20, 1.5));
   writer.addScan("b", realFields({1}, {2}, {3}),
@@ -230,11 +230,11 @@ TEST_F(ScanFormats, E57HasNaNForInvalidPointsAndColoursOfAnyRange)
   fields.insert(fields.begin(),
                 {E57TestField::ofIntegers("colorRed", {0, 512, 1023}, 0, 1023),
                  E57TestField::ofIntegers("colorGreen", {255, 0, 9}, 0, 255),
-                 E57TestField::ofFloats("colorBlue", {0, 0.5F, 1})});
+                 E57TestField::ofReals<float>("colorBlue", {0, 0.5F, 1})});
   fields[2].attributes += " minimum=\"0\" maximum=\"1\"";
   fields.push_back(E57TestField::ofIntegers("cartesianInvalidState", {0, 1, 2}, 0, 2));
   fields.push_back({"note", "type=\"String\"", 8, {1, 2, 3}});
-  fields.push_back(E57TestField::ofFloats("intensity", {0.25F, 0.5F, 1}));
+  fields.push_back(E57TestField::ofReals<float>("intensity", {0.25F, 0.5F, 1}));
   writer.addScan("", fields);
   const ToolCloud cloud = load(writer.file());
   expectPoint(cloud, 0, 1, 1, 1);

@@ -275,9 +275,9 @@ TEST_F(ScanRefusals, ChangedBytesAreReadOrRefused)
   e57.has_index = true;
   e57.addScan("a", integerFields(wholeCoordinates(300, 500), 500),
               E57Writer::pose(1, 0, 0, 0, 1, 2, 3));
-  e57.addScan("b", {E57TestField::ofDoubles("sphericalRange", {1, 2, 3}),
-                    E57TestField::ofDoubles("sphericalAzimuth", {1, 2, 3}),
-                    E57TestField::ofFloats("sphericalElevation", {0, 0, 1})});
+  e57.addScan("b", {E57TestField::ofReals<double>("sphericalRange", {1, 2, 3}),
+                    E57TestField::ofReals<double>("sphericalAzimuth", {1, 2, 3}),
+                    E57TestField::ofReals<float>("sphericalElevation", {0, 0, 1})});
   LasSample las = threeLasPoints();
   las.minor = 4;
   las.format = 7;
