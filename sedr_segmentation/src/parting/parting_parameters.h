@@ -8,17 +8,17 @@ namespace pcl::sedr {
  * likelihood to random buildings (test/benchmarks/border_odds.py); behind each
  * its standard error. */
 struct BorderOdds {
-  double any = -3.38;  ///< 0.23
-  double dip = -5.47;  ///< 0.51; a metre that the ceiling dips, one at most
-  double open = 2.78;  ///< 0.16; ln of the open length of the border over its walls'
-  double neck = 2.61;  ///< 0.42; square of half of the widest way between them that no
+  double any = -3.42;  ///< 0.25
+  double dip = -5.58;  ///< 0.56; a metre that the ceiling dips, one at most
+  double open = 2.79;  ///< 0.18; ln of the open length of the border over its walls'
+  double neck = 2.57;  ///< 0.45; square of half of the widest way between them that no
                        ///< lintel is above, of the shallower part's depth
-  double drop = -1.75; ///< 0.51; share of the border at edges of galleries
+  double drop = -2.22; ///< 0.57; share of the border at edges of galleries
   double stacked = -1.19; ///< 0.89; square metres of one that lie above the other
-  double depth = -1.59;   ///< 0.26; ln of the shallower part's depth, a metre at most
-  double outline = 22.24; ///< 1.52; square of the share of the outline that is open, of
+  double depth = -1.64;   ///< 0.28; ln of the shallower part's depth, a metre at most
+  double outline = 22.33; ///< 1.60; square of the share of the outline that is open, of
                           ///< the part of which less is
-  double share = 6.01;    ///< 3.08; what the border is of the shorter outline, above a
+  double share = 11.75;   ///< 4.57; what the border is of the shorter outline, above a
                           ///< fifth
   double unseen_border = 0.4;  ///< metres; open ones and walls, presumed beside those
                                ///< that were seen
