@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
+#include "two_storeys.h"
 
 #include <pcl/sedr_surface/floorplan_ifc.h>
 
@@ -28,12 +28,7 @@ twoRooms()
 {
   Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)}};
-  PlanDoorway doorway;
-  doorway.rooms = {1, 2};
-  doorway.start = {4.05, 1};
-  doorway.end = {4.05, 1.9};
-  doorway.top = 2.05;
-  plan.doorways.push_back(doorway);
+  plan.doorways = {{{1, 2}, {4.05, 1}, {4.05, 1.9}, 0, 2.05}};
   return plan;
 }
 
@@ -68,14 +63,10 @@ TEST(WriteIfc, AStairHasItsFlights)
 
 TEST(WriteIfc, AFaceTowardsTheRoofOfTheRoomBelowIsOfNoWall)
 {
-  Floorplan plan{
-      {roomOf(rectangle(0, 0, 6, 4), 2.5), roomOf(rectangle(0, 0, 4, 4), 5.2, 2)}};
-  plan.rooms[1].floor = slabAt(2.7);
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5),
+                  roomBetween(rectangle(0, 0, 4, 4), 2.7, 5.2, 2)}};
   const std::size_t walls = writeIfc(plan).walls;
-  PlanDetail roof; // beside the upper room
-  roof.boundary = rectangle(4, 0, 6, 4);
-  roof.slab = slabAt(5);
-  plan.rooms[0].details = {roof};
+  plan.rooms[0].details = {detailOf(rectangle(4, 0, 6, 4), 5)}; // beside the upper room
   EXPECT_EQ(writeIfc(plan).walls, walls - 1);
 }
 
@@ -83,8 +74,7 @@ TEST(WriteIfc, AFloorOverTwoRoomsIsAsThickAsTheGapThoughItsMiddleIsAboveAWall)
 {
   Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5),
                   roomOf(rectangle(4.1, 0, 8.1, 3), 2.5, 2),
-                  roomOf(rectangle(0, 0, 8.1, 3), 5.2, 3)}};
-  plan.rooms[2].floor = slabAt(2.65);
+                  roomBetween(rectangle(0, 0, 8.1, 3), 2.65, 5.2, 3)}};
   const IfcModel model = writeIfc(plan);
   EXPECT_EQ(model.slabs, 4u) << "three floors and one roof";
   EXPECT_EQ(count(model.text, ".ROOF.)"), 1u);
@@ -97,16 +87,13 @@ TEST(WriteIfc, AFloorOverTwoRoomsIsAsThickAsTheGapThoughItsMiddleIsAboveAWall)
 
 TEST(WriteIfc, AWallAboveALowerRoofStandsOnIt)
 {
-  Floorplan plan{
-      {roomOf(rectangle(0, 0, 6, 4), 2.5), roomOf(rectangle(0, 0, 4, 4), 5.2, 2)}};
-  plan.rooms[1].floor = slabAt(2.7);
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5),
+                  roomBetween(rectangle(0, 0, 4, 4), 2.7, 5.2, 2)}};
   const std::size_t walls = writeIfc(plan).walls;
-  PlanDetail roof; // beside the upper room
-  roof.boundary = rectangle(4, 0, 6, 4);
+  PlanDetail roof = detailOf(rectangle(4, 0, 6, 4), 0); // beside the upper room
   roof.is_facet = true;
   for (const double rise : {0.0, 0.5}) { // level, or rising along the wall
-    roof.slab.plane = Eigen::Vector4d(0, -rise, 1, -3.6 + 2 * rise);
-    roof.slab.plane /= roof.slab.plane.head<3>().norm();
+    roof.slab = slabAt(3.6 - 2 * rise, 0, rise);
     plan.rooms[0].details = {roof};
     const IfcModel model = writeIfc(plan);
     EXPECT_EQ(model.walls, walls) << rise;
@@ -116,16 +103,12 @@ TEST(WriteIfc, AWallAboveALowerRoofStandsOnIt)
 
 TEST(WriteIfc, NoWallStandsAroundAShaftThatIsOpenToTheRoof)
 {
-  Floorplan plan{
-      {roomOf(rectangle(0, 0, 9, 6), 2.5), roomOf(rectangle(0, 0, 9, 6), 5.2, 2)}};
-  plan.rooms[1].floor = slabAt(2.7);
+  Floorplan plan{{roomOf(rectangle(0, 0, 9, 6), 2.5),
+                  roomBetween(rectangle(0, 0, 9, 6), 2.7, 5.2, 2)}};
   const std::size_t walls = writeIfc(plan).walls;
   plan.rooms[1].columns = {reversed(rectangle(3, 2, 6, 4))};
   EXPECT_EQ(writeIfc(plan).walls, walls + 4); // nothing is known of the shaft
-  PlanDetail roof;
-  roof.boundary = rectangle(3, 2, 6, 4);
-  roof.slab = slabAt(5.2);
-  plan.rooms[0].details = {roof};
+  plan.rooms[0].details = {detailOf(rectangle(3, 2, 6, 4), 5.2)};
   EXPECT_EQ(writeIfc(plan).walls, walls);
 }
 

@@ -43,16 +43,6 @@ public:
     return highestCount();
   }
 
-  /** @brief How many lie above a height. */
-  std::size_t countAbove(double height) const
-  {
-    std::size_t n = 0;
-    for (auto bin_at = bins_.upper_bound(std::lround(height / bin));
-         bin_at != bins_.end(); ++bin_at)
-      n += bin_at->second;
-    return n;
-  }
-
   /** @brief The height around which most lie. */
   double highestCount() const
   {

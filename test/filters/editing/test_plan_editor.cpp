@@ -23,15 +23,8 @@ twoRooms()
   Floorplan plan;
   plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5, 1),
                 roomOf(rectangle(4.2, 0, 6.2, 3), 2.5, 2)};
-  PlanOpening door;
-  door.kind = OpeningKind::Door;
-  door.rooms = {1, 2};
-  door.walls = {{1, 1}, {2, 3}};
-  door.start = {4.1, 1};
-  door.end = {4.1, 2};
-  door.top = 2;
-  door.depth = 0.2;
-  plan.openings = {door};
+  plan.openings = {
+      {OpeningKind::Door, {1, 2}, {{1, 1}, {2, 3}}, {4.1, 1}, {4.1, 2}, 0, 2, 0, 0.2}};
   plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}};
   return plan;
 }

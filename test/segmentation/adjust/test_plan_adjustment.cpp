@@ -160,30 +160,17 @@ TEST(AdjustPlan, ColumnsNichesAndSoffitsAreMet)
   PlanRoom truth = roomOf(rectangle(0, 0, 6, 5), 3);
   truth.columns = {reversed(circle({2, 2}, 0.2)), reversed(circle({4, 2}, 0.2)),
                    reversed(rectangle(3, 3.5, 3.3, 3.8))};
-  PlanDetail soffit;
-  soffit.boundary = rectangle(0, 0, 6, 0.6);
-  soffit.slab = slabAt(2.6);
-  truth.details.push_back(soffit);
-  PlanNiche niche;
-  niche.boundary = rectangle(2, 5, 3, 5.3);
-  niche.bottom = slabAt(0.8);
-  niche.top = slabAt(2.2);
-  truth.niches.push_back(niche);
+  truth.details.push_back(detailOf(rectangle(0, 0, 6, 0.6), 2.6));
+  truth.niches.push_back({rectangle(2, 5, 3, 5.3), slabAt(0.8), slabAt(2.2)});
   RoomPoints raw(0.015, 0.004);
   raw.room(truth);
   PlanRoom off = truth;
   for (PlanLoop& column : off.columns)
     column = shaken(column, 0.01, 3);
-  off.details[0].boundary.elements[2].start.y() += 0.01; // its edge in the room
-  off.details[0].boundary.elements[1].end.y() += 0.01;
-  off.details[0].boundary.elements[2].end.y() += 0.01;
-  off.details[0].boundary.elements[3].start.y() += 0.01;
+  off.details[0].boundary = rectangle(0, 0, 6, 0.61);
   off.details[0].slab = slabAt(2.608);
   off.niches[0].top = slabAt(2.19);
-  off.niches[0].boundary.elements[2].start.y() -= 0.008; // its back
-  off.niches[0].boundary.elements[1].end.y() -= 0.008;
-  off.niches[0].boundary.elements[2].end.y() -= 0.008;
-  off.niches[0].boundary.elements[3].start.y() -= 0.008;
+  off.niches[0].boundary = rectangle(2, 5, 3, 5.292);
   Floorplan plan;
   plan.rooms.push_back(off);
   adjustPlan(plan, raw.view());
@@ -196,9 +183,9 @@ TEST(AdjustPlan, ColumnsNichesAndSoffitsAreMet)
     EXPECT_NEAR(room.columns[c].elements[0].radius, 0.2, 0.0005);
   }
   EXPECT_LT(cornerError(room.columns[2], truth.columns[2]), 0.001);
-  EXPECT_LT(cornerError(room.details[0].boundary, soffit.boundary), 0.001);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.001);
   EXPECT_NEAR(room.details[0].slab.heightAt({3, 0.3}), 2.6, 0.0005);
-  EXPECT_LT(cornerError(room.niches[0].boundary, niche.boundary), 0.002);
+  EXPECT_LT(cornerError(room.niches[0].boundary, truth.niches[0].boundary), 0.002);
   EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 5.1}), 0.8, 0.001);
   EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 5.1}), 2.2, 0.001);
 }

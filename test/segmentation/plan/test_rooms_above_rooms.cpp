@@ -73,10 +73,8 @@ TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)
 PlanDetail
 roofOver(const PlanLoop& loop, double height, double rise)
 {
-  PlanDetail roof;
-  roof.boundary = loop;
-  roof.slab.plane = Eigen::Vector4d(-rise, 0, 1, -height);
-  roof.slab.plane /= roof.slab.plane.head<3>().norm();
+  PlanDetail roof = detailOf(loop, 0);
+  roof.slab = slabAt(height, rise);
   roof.is_facet = true;
   return roof;
 }

@@ -32,13 +32,7 @@ plainRoom(double width = 0.9)
 {
   Floorplan plan;
   plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5)};
-  PlanOpening door;
-  door.kind = OpeningKind::Door;
-  door.rooms = {1, 0};
-  door.start = {1, 0};
-  door.end = {1 + width, 0};
-  door.top = 2;
-  plan.openings = {door};
+  plan.openings = {{OpeningKind::Door, {1, 0}, {}, {1, 0}, {1 + width, 0}, 0, 2}};
   return plan;
 }
 

@@ -30,14 +30,7 @@ openingAt(std::array<std::uint32_t, 2> rooms,
           double top,
           double depth)
 {
-  PlanOpening o;
-  o.rooms = rooms;
-  o.start = start;
-  o.end = end;
-  o.bottom = bottom;
-  o.top = top;
-  o.depth = depth;
-  return o;
+  return {OpeningKind::Unknown, rooms, {}, start, end, bottom, top, 0, depth};
 }
 
 /** Two rooms of 5 m x 4 m with a wall of 20 cm between them. */

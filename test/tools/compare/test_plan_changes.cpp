@@ -138,14 +138,7 @@ TEST(StoreysCompare, ARoomIsNotReplacedByOneThatLiesAboveIt)
 PlanOpening
 doorAt(double y)
 {
-  PlanOpening door;
-  door.kind = OpeningKind::Door;
-  door.rooms = {1, 2};
-  door.start = {5.05, y};
-  door.end = {5.05, y + 0.9};
-  door.top = 2;
-  door.depth = 0.1;
-  return door;
+  return {OpeningKind::Door, {1, 2}, {}, {5.05, y}, {5.05, y + 0.9}, 0, 2, 0, 0.1};
 }
 
 TEST(StructureCompare, ADoorThatIsBrickedUpAndOneThatIsCut)

@@ -210,13 +210,7 @@ TEST(PlanRules, OfTwoStoreysTellWhichAPlaceBelongsTo)
 TEST_F(ViewedSample, ShowsOpeningsByKindAndTheFootOfALeaf)
 {
   EXPECT_FALSE(result_.has("openings"));
-  PlanOpening door;
-  door.kind = OpeningKind::Door;
-  door.rooms = {1, 2};
-  door.start = {1, 2};
-  door.end = {1, 3};
-  door.top = 2;
-  result_.plan.openings = {door};
+  result_.plan.openings = {{OpeningKind::Door, {1, 2}, {}, {1, 2}, {1, 3}, 0, 2}};
   EXPECT_TRUE(result_.has("openings"));
   const Shapes shapes(result_);
   ViewState state;
