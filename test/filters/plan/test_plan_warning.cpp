@@ -56,13 +56,7 @@ roomWithADoor()
 {
   Floorplan plan;
   plan.rooms = {sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5)};
-  plan.rooms[0].id = 1;
-  PlanOpening door;
-  door.start = {1, 0};
-  door.end = {2, 0};
-  door.top = 2;
-  door.walls = {{1, 0}};
-  plan.openings = {door};
+  plan.openings = {{OpeningKind::Unknown, {}, {{1, 0}}, {1, 0}, {2, 0}, 0, 2}};
   return plan;
 }
 

@@ -254,14 +254,9 @@ TEST(VerticalHoleRepair, FillsADoorExactlyWhereItIs)
 TEST(VerticalHoleRepair, KeepsTheOpeningsOfThePlanIfAsked)
 {
   FurnishedRoom room(0);
-  PlanOpening door; // the lower half of the hole
-  door.start = {1, -0.1};
-  door.end = {2, -0.1};
-  door.top = 1;
-  door.depth = 0.2;
-  auto plan = std::make_shared<Floorplan>(*room.plan);
-  plan->openings = {door};
-  room.plan = plan;
+  room.plan->openings = {
+      // the lower half of the hole
+      {OpeningKind::Unknown, {}, {}, {1, -0.1}, {2, -0.1}, 0, 1, 0, 0.2}};
   EXPECT_EQ(Repaired(room).repair.getRepairedIndices().size(), 20u * 40u);
   const Repaired result(room, true);
   EXPECT_EQ(result.repair.getRepairedIndices().size(), 20u * 20u);
