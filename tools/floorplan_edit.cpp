@@ -76,6 +76,8 @@ apply(const Kind& kind, const PlanEditor& editor)
       throw ToolError("'" + edit + "': " + option + "wants " + kind.wanted);
     if (!kind.apply(rest))
       throw ToolError(option + edit + ": " + editor.getErrorMessage());
+    for (const std::string& warning : editor.getWarnings())
+      warn(option + edit + ": " + warning);
   }
 }
 

@@ -112,6 +112,7 @@ PlanEditor::apply(std::uint32_t room,
                   const std::function<std::string(Floorplan&, PlanRoom&)>& change)
 {
   Floorplan changed = plan_;
+  warnings_.clear();
   PlanRoom* const found = findRoom(changed, room);
   problem_ =
       found ? change(changed, *found) : "the plan has no room " + std::to_string(room);
@@ -122,7 +123,9 @@ PlanEditor::apply(std::uint32_t room,
         problem_ = "the outline of room " + std::to_string(r.id) + " then " + wrong;
   if (!problem_.empty())
     return false;
-  attachOpenings(plan_, changed);
+  warnings_ = attachOpenings(plan_, changed);
+  for (std::string& flight : flightsThroughWalls(plan_, changed))
+    warnings_.push_back(std::move(flight));
   plan_ = std::move(changed);
   return true;
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_references.h"
 
+#include "../base/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pcl::sedr {
@@ -20,6 +24,58 @@ isSame(const PlanLoop& a, const PlanLoop& b)
                       return e.start == f.start && e.end == f.end &&
                              e.centre == f.centre && e.radius == f.radius;
                     });
+}
+
+constexpr double negligible = 0.01; // metres
+
+std::string
+placeText(const char* what, const Eigen::Vector2d& at)
+{
+  return formatText("the %s at (%.2f, %.2f)", what, at.x(), at.y());
+}
+
+/** @brief Returns how far an opening reaches beyond the ends of a wall. */
+double
+beyondWall(const PlanOpening& opening, const PlanElement& wall)
+{
+  double most = 0;
+  for (const Eigen::Vector2d& end : {opening.start, opening.end}) {
+    const double s = wall.project(end);
+    const Eigen::Vector2d off = end - wall.pointAt(s);
+    const Eigen::Vector2d normal = wall.normalAt(s);
+    most = std::max(most, std::abs(off.x() * normal.y() - off.y() * normal.x()));
+  }
+  return most;
+}
+
+/** @brief The room that a flight is in, and how far the flight reaches out of it. */
+struct FlightRoom {
+  std::uint32_t room = 0;
+  double outside = std::numeric_limits<double>::infinity();
+};
+
+FlightRoom
+roomAround(const Floorplan& plan, const PlanFlight& flight)
+{
+  const auto heightIn = [](const PlanRoom& room, const Eigen::Vector2d& p, double z) {
+    return room.floor.heightAt(p) < z && room.ceiling.heightAt(p) > z;
+  };
+  const Eigen::Vector2d middle = flight.middle(flight.steps() / 2);
+  FlightRoom best;
+  for (const PlanRoom& room : plan.rooms) {
+    if (!heightIn(room, middle, (flight.bottom + flight.top()) / 2))
+      continue;
+    double outside = 0;
+    bool is_in = false;
+    for (const Eigen::Vector2d& corner : flight.outline())
+      if (room.boundary.contains(corner))
+        is_in = true;
+      else
+        outside = std::max(outside, room.boundary.distance(corner));
+    if (is_in && outside < best.outside)
+      best = {room.id, outside};
+  }
+  return best;
 }
 
 } // namespace
@@ -67,13 +123,17 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
   removeIf(plan.storeys, [](const PlanStorey& storey) { return storey.rooms.empty(); });
 }
 
-void
+std::vector<std::string>
 attachOpenings(const Floorplan& before, Floorplan& plan)
 {
   constexpr double reach = 0.5; // metres from the face
+  std::vector<std::string> told;
   const auto attach = [&](PlanOpening& opening) {
     const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
     const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+    const std::string what = placeText(
+        opening.kind == OpeningKind::Unknown ? "opening" : nameOf(opening.kind),
+        middle);
     std::vector<OpeningWall> walls;
     for (const OpeningWall& wall : opening.walls) {
       const PlanRoom* const room = findRoom(plan, wall.room);
@@ -95,15 +155,50 @@ attachOpenings(const Floorplan& before, Floorplan& plan)
           element = e;
         }
       }
-      if (element)
-        walls.push_back({wall.room, *element});
+      if (!element)
+        continue;
+      walls.push_back({wall.room, *element});
+      const double beyond = beyondWall(opening, room->boundary.elements[*element]);
+      if (beyond >
+          negligible + (old && wall.element < old->boundary.elements.size()
+                            ? beyondWall(opening, old->boundary.elements[wall.element])
+                            : 0))
+        told.push_back(what +
+                       formatText(", %.2f m wide, reaches %.2f m beyond wall ",
+                                  opening.width(), beyond) +
+                       std::to_string(wall.room) + "." + std::to_string(*element + 1));
     }
     opening.walls = walls;
+    if (walls.empty())
+      told.push_back(what + " is in no wall any more: it is left out");
     return walls.empty();
   };
   plan.openings.erase(
       std::remove_if(plan.openings.begin(), plan.openings.end(), attach),
       plan.openings.end());
+  return told;
+}
+
+std::vector<std::string>
+flightsThroughWalls(const Floorplan& before, const Floorplan& plan)
+{
+  std::vector<std::string> told;
+  for (const PlanStair& stair : plan.stairs)
+    for (const PlanFlight& flight : stair.flights) {
+      const FlightRoom old = roomAround(before, flight);
+      const FlightRoom now = roomAround(plan, flight);
+      if (now.outside <= old.outside + negligible)
+        continue;
+      const std::string what =
+          placeText("flight of stairs", flight.middle(flight.steps() / 2));
+      told.push_back(now.room == 0
+                         ? what + " is in no room any more"
+                         : what + formatText(", from z %.2f to %.2f m, reaches %.2f m "
+                                             "through a wall of room %.0f",
+                                             flight.bottom, flight.top(), now.outside,
+                                             static_cast<double>(now.room)));
+    }
+  return told;
 }
 
 } // namespace pcl::sedr

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace pcl::sedr {
 
@@ -20,7 +22,14 @@ void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
 
 /** @brief Finds the elements that openings are in again, in rooms whose outline is
  * another than before: those nearest to their faces. Openings that no wall of their
- * rooms is beside go. */
-void attachOpenings(const Floorplan& before, Floorplan& plan);
+ * rooms is beside go.
+ * @return sentences about openings that go, and those that reach farther beyond the
+ * ends of their walls than before */
+std::vector<std::string> attachOpenings(const Floorplan& before, Floorplan& plan);
+
+/** @brief Returns sentences about the flights of stairs that reach farther through the
+ * walls of the room that they are in than before. */
+std::vector<std::string> flightsThroughWalls(const Floorplan& before,
+                                             const Floorplan& plan);
 
 } // namespace pcl::sedr

@@ -3,7 +3,6 @@
 
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
-#include "sedr_filters/src/grids/place_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +15,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr float no_height = std::numeric_limits<float>::infinity();
-
-/** @brief Metres below the ceiling where the frame of a pane ends. */
-constexpr double frame = 0.2;
 
 double
 medianHeight(const PointView& points, const std::vector<int>& indices, double otherwise)
@@ -78,8 +74,14 @@ forEachIn(const CellMask& frame,
   }
 }
 
+/** @brief Lowest and highest point of the ceiling in each cell. */
+struct CeilingEnds {
+  std::vector<float> low;
+  std::vector<float> high;
+};
+
 /** @brief Sets what is known of the ceiling. */
-void
+CeilingEnds
 gatherCeiling(const PointView& points,
               const RoomPoints& room,
               const CellGrid& grid,
@@ -96,7 +98,7 @@ gatherCeiling(const PointView& points,
       high.push_back(i);
   const CellSet seen = unite(CellSet(grid, points, high), cellsOf(grid, room.hidden));
   if (seen.empty())
-    return;
+    return {};
   const CellBox box =
       grown(boxOf(seen), static_cast<int>(std::lround(p.margin / grid.size())));
   cells.seen = CellMask(seen, box);
@@ -107,6 +109,7 @@ gatherCeiling(const PointView& points,
     cells.low[at] = std::min(cells.low[at], q.z());
   };
   forEachIn(cells.seen, grid, points, high, add);
+  CeilingEnds ends{cells.low, cells.top};
   for (const Eigen::Vector3f& q : room.hidden)
     add(cells.seen.indexOf(grid.at(q.x(), q.y())), q);
   const int reach = static_cast<int>(std::lround(p.local / grid.size()));
@@ -115,35 +118,7 @@ gatherCeiling(const PointView& points,
   for (std::size_t i = 0; i < cells.top.size(); ++i)
     if (cells.low[i] == no_height)
       cells.top[i] = cells.low[i] = static_cast<float>(cells.ceiling);
-}
-
-/** @brief Returns the sums of a raster over squares of 2 reach + 1 cells. */
-std::vector<float>
-boxSums(const CellMask& frame, int reach, const std::vector<float>& values)
-{
-  const auto width = static_cast<std::size_t>(frame.width());
-  const auto height = static_cast<std::size_t>(frame.height());
-  std::vector<double> table((width + 1) * (height + 1), 0);
-  for (std::size_t y = 0; y < height; ++y) {
-    double row = 0;
-    for (std::size_t x = 0; x < width; ++x) {
-      row += values[y * width + x];
-      table[(y + 1) * (width + 1) + x + 1] = table[y * (width + 1) + x + 1] + row;
-    }
-  }
-  std::vector<float> sums(values.size());
-  const auto r = static_cast<std::size_t>(reach);
-  for (std::size_t y = 0; y < height; ++y)
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::size_t left = x < r ? 0 : x - r;
-      const std::size_t low = y < r ? 0 : y - r;
-      const std::size_t right = std::min(width, x + r + 1);
-      const std::size_t high = std::min(height, y + r + 1);
-      sums[y * width + x] = static_cast<float>(
-          table[high * (width + 1) + right] - table[low * (width + 1) + right] -
-          table[high * (width + 1) + left] + table[low * (width + 1) + left]);
-    }
-  return sums;
+  return ends;
 }
 
 /** @brief Finds the surfaces that reach up to the ceiling. */
@@ -152,6 +127,7 @@ gatherWalls(const PointView& points,
             const RoomPoints& room,
             const CellGrid& grid,
             const RoomCellsParameters& p,
+            const CeilingEnds& ends,
             RoomCells& cells)
 {
   const std::size_t count = cells.seen.values().size();
@@ -173,13 +149,7 @@ gatherWalls(const PointView& points,
     bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
-  std::vector<float> low(count, no_height); // of the ceiling's points in each cell
-  std::vector<float> high(count, -no_height);
-  forEachIn(cells.seen, grid, points, room.ceiling,
-            [&](std::size_t at, const Eigen::Vector3f& q) {
-              low[at] = std::min(low[at], q.z());
-              high[at] = std::max(high[at], q.z());
-            });
+  const auto& [low, high] = ends;
   std::vector<float> below_top(count, 0);
   std::vector<float> is_own(count, 0);
   for (std::size_t at = 0; at < count; ++at)
@@ -193,10 +163,23 @@ gatherWalls(const PointView& points,
   const auto maySlope = [&](std::size_t at) {
     return depths[at] > near[at] * p.rim / 2 && high[at] - low[at] < 2 * p.bin;
   };
+  // A lintel goes down from where a ceiling ends and a lower one begins.
+  std::vector<Eigen::Vector3d> sums(count, Eigen::Vector3d::Zero()); // of surfaces
+  std::vector<float> beside = high;
+  spread(cells.seen, 1, std::greater<>(), beside);
+  const auto isLintel = [&](std::size_t at, double z) {
+    const double top = cells.top[at];
+    return beside[at] > top - p.rim / 3 &&
+           cells.low[at] < top - std::max(p.below, grid.size()) &&
+           z < top - p.rim / 3 &&
+           z > std::max<double>(cells.low[at], top - 2 * p.bin) + p.rim / 3;
+  };
   const auto gather = [&](const std::vector<int>& indices, bool of_wall, bool below) {
     forEachIn(
         cells.seen, grid, points, indices,
         [&](std::size_t at, const Eigen::Vector3f& q) {
+          if (isLintel(at, q.z()))
+            sums[at] += q.head<2>().homogeneous().cast<double>();
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
           };
@@ -226,6 +209,7 @@ gatherWalls(const PointView& points,
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
+  std::vector<std::uint8_t> is_low(count, 0);
   const CellMask below_ceiling = eroded(dilated(cells.seen, 1), 3);
   const std::uint64_t below_sill =
       (std::uint64_t{1} << static_cast<unsigned>(p.sill / p.bin)) - 1;
@@ -238,7 +222,10 @@ gatherWalls(const PointView& points,
     const int below_low = __builtin_popcount(bins_of_low[i]);
     const bool goes_on = below_low > 1; // one may be a stray
     cells.solid.values()[i] = below_top >= needed && goes_on && !endsBelow(i);
-    cells.riser.values()[i] = below_top >= needed && !goes_on;
+    // A low lintel has no room for more than one bin.
+    is_low[i] = cells.top[i] - cells.low[i] < p.filled_of_wall * p.bin;
+    cells.riser.values()[i] =
+        sums[i].z() > 0 && !goes_on && (is_low[i] || below_top >= needed);
     cells.pillar.values()[i] =
         below_top < needed && below_low >= needed && !endsBelow(i);
     const std::uint64_t above_sill = bins_of_base[i] & ~below_sill;
@@ -248,77 +235,28 @@ gatherWalls(const PointView& points,
         !(is_tall && highest[i] < cells.low[i] - p.below);
   }
   const CellMask near_solid = dilated(cells.solid, 1);
+  const CellMask near_base = dilated(cells.base, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
-  std::vector<std::size_t> number(count, 0);
-  std::size_t solids = 0;
   for (std::size_t i = 0; i < count; ++i)
-    if (cells.solid.values()[i])
-      number[i] = solids++;
-  cells.centres.assign(solids, Eigen::Vector2d::Zero());
-  std::vector<double> counts(solids, 0);
+    if (!cells.riser.values()[i])
+      sums[i].setZero();
   for (const Place& place : places) {
     if (endsBelow(place.cell))
       continue;
     if (place.is_top ? place.is_wall || near_solid.values()[place.cell]
                      : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);
-    if (place.is_top && cells.solid.values()[place.cell]) {
-      cells.centres[number[place.cell]] += place.at;
-      ++counts[number[place.cell]];
-    }
+    if (place.is_top && cells.solid.values()[place.cell])
+      sums[place.cell] += place.at.homogeneous();
   }
-  for (std::size_t k = 0; k < solids; ++k)
-    cells.centres[k] /= counts[k];
-}
-
-/** @brief Hits of the scan in the cells of a room. */
-struct CellHits {
-  std::vector<float> wall;    ///< in the band below the ceiling
-  std::vector<float> ceiling; ///< on the ceiling
-};
-
-/** @brief Marks the glass of a room from the hits in its cells. */
-void
-markGlass(const CellHits& hits,
-          const CellGrid& grid,
-          const RoomCellsParameters& p,
-          RoomCells& room)
-{
-  constexpr double usual = 0.8; // of the walls near: this quantile of their hits
-  const double size = grid.size();
-  const std::vector<float> of_wall = boxSums(room.seen, 2, hits.wall);
-  std::vector<float> open(hits.ceiling.size());
-  std::vector<float> on_open(hits.ceiling.size());
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    open[i] = room.seen.values()[i] && !room.solid.values()[i] ? 1.0f : 0.0f;
-    on_open[i] = open[i] * hits.ceiling[i];
-  }
-  const std::vector<float> cells_before = boxSums(room.seen, 7, open);
-  const std::vector<float> hits_before = boxSums(room.seen, 7, on_open);
-  // A wall crosses a square of 5 cells in some 5 cells: hits a square metre of it.
-  const double wall_area = 5 * size * (p.band - frame);
-  std::vector<std::size_t> solids;
-  for (std::size_t i = 0; i < room.solid.values().size(); ++i)
-    if (room.solid.values()[i])
-      solids.push_back(i);
-  const int reach = static_cast<int>(std::lround(p.pane_neighbours / size));
-  std::vector<float> near;
-  for (const std::size_t i : solids) {
-    const Cell cell = room.solid.cellAt(i);
-    near.clear();
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx)
-        if (const Cell c{cell.x + dx, cell.y + dy};
-            dx * dx + dy * dy <= reach * reach && room.solid.at(c))
-          near.push_back(of_wall[room.solid.indexOf(c)]);
-    const auto rank = near.begin() + static_cast<std::ptrdiff_t>(
-                                         usual * static_cast<double>(near.size() - 1));
-    std::nth_element(near.begin(), rank, near.end());
-    const double density = of_wall[i] / wall_area;
-    const double before =
-        cells_before[i] > 0 ? hits_before[i] / (cells_before[i] * size * size) : 0;
-    room.glass.values()[i] =
-        density < p.few_hits * (*rank / wall_area) || density < p.few_hits * before;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(sums[i].z() > 0))
+      continue;
+    cells.centres.push_back(sums[i].hnormalized());
+    if (cells.riser.values()[i] && is_low[i]) // as good as a wall above a parapet
+      cells.wall_points.insert(cells.wall_points.end(),
+                               near_base.values()[i] ? p.filled : 1,
+                               cells.centres.back());
   }
 }
 
@@ -349,60 +287,12 @@ roomCells(const PointView& points,
 {
   std::vector<RoomCells> cells(rooms.size());
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    gatherCeiling(points, rooms[r], grid, parameters, cells[r]);
+    const CeilingEnds ends =
+        gatherCeiling(points, rooms[r], grid, parameters, cells[r]);
     if (cells[r].seen.count() > 0)
-      gatherWalls(points, rooms[r], grid, parameters, cells[r]);
+      gatherWalls(points, rooms[r], grid, parameters, ends, cells[r]);
   });
   return cells;
-}
-
-void
-findGlass(const PointView& scan,
-          const std::vector<int>& indices,
-          const CellGrid& grid,
-          const RoomCellsParameters& parameters,
-          unsigned threads,
-          std::vector<RoomCells>& rooms)
-{
-  constexpr double on_ceiling = 0.15; // metres
-  std::vector<CellHits> hits(rooms.size());
-  PlaceTable rooms_near(2); // metres
-  for (std::size_t r = 0; r < rooms.size(); ++r) {
-    hits[r].wall.assign(rooms[r].seen.values().size(), 0);
-    hits[r].ceiling = hits[r].wall;
-    if (rooms[r].seen.count() > 0)
-      rooms_near.addIn(
-          {grid.centre(rooms[r].seen.box().low), grid.centre(rooms[r].seen.box().high)},
-          static_cast<std::uint32_t>(r));
-  }
-  rooms_near.finish();
-  std::vector<CellMask> near(rooms.size());
-  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    if (rooms[r].seen.count() > 0)
-      near[r] = dilated(rooms[r].solid, 8);
-  });
-  const std::size_t count = indices.empty() ? scan.size() : indices.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
-    const Eigen::Vector3f q = scan[i];
-    if (!q.allFinite() || !grid.holds(q.x(), q.y()))
-      continue;
-    const Cell cell = grid.at(q.x(), q.y());
-    for (const std::uint32_t r : rooms_near.at(q.head<2>().cast<double>())) {
-      if (!near[r].at(cell))
-        continue;
-      const std::size_t at = near[r].indexOf(cell);
-      const double below = rooms[r].top[at] - q.z();
-      if (below > frame && below < parameters.band)
-        ++hits[r].wall[at];
-      else if (std::abs(below) < on_ceiling)
-        ++hits[r].ceiling[at];
-    }
-  }
-  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    if (rooms[r].seen.count() > 0)
-      markGlass(hits[r], grid, parameters, rooms[r]);
-  });
 }
 
 } // namespace pcl::sedr

@@ -35,12 +35,12 @@ struct RoomCells {
   std::vector<float> low; ///< of the lowest ceiling near it
   CellMask solid;         ///< cells in which a surface reaches up to the ceiling
   CellMask glass;         ///< those of them that return few rays
-  CellMask riser;         ///< cells of a surface between two ceilings, with air below
+  CellMask riser;         ///< cells of lintels: a ceiling ends, a lower one begins
   CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
   CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
 
-  /** @brief Mean place of the wall points of each solid cell, in the order of cells. */
+  /** @brief Mean place of the surface in each solid or riser cell, in their order. */
   std::vector<Eigen::Vector2d> centres;
 
   /** @brief Returns whether two rooms share more than half a metre of height. */
@@ -68,6 +68,10 @@ std::vector<RoomCells> roomCells(const PointView& points,
                                  const CellGrid& grid,
                                  const RoomCellsParameters& parameters,
                                  unsigned threads);
+
+/** @brief Returns the sums of a raster over squares of 2 reach + 1 cells. */
+std::vector<float>
+boxSums(const CellMask& frame, int reach, const std::vector<float>& values);
 
 /** @brief Marks the solid cells with few hits of the scan as glass: fewer than a share
  * of those of the walls near them, or of the ceiling before them. An opaque surface

@@ -82,7 +82,7 @@ public:
             const RegionEnergy& energy)
       : size_(grid.size())
       , frame_(room.seen)
-      , seen_(subtract(room.seen, around.opaque))
+      , seen_(subtract(room.seen, unite(around.opaque, room.riser)))
       , reveal_(intersect(behind.reveal, room.seen))
       , wall_(subtract(behind.wall, around.air))
       , energy_(energy)

@@ -13,8 +13,8 @@ namespace pcl::sedr {
  * nothing explains.
  *
  *     E(region) = sum over its border    length x (0 at a surface up to the ceiling
- * that the room sees, `glass` at a pane, `line` at a surface that others see and on the
- * line of a wall, else 1)
+ * that the room sees, `glass` at a pane and on the line of a lintel, `line` at a
+ * surface that others see and on the line of a wall, else 1)
  *               + sum over cells left out    `seen` a square metre of seen ceiling
  *               + sum over cells taken in    `unseen` a square metre that nobody saw,
  *                     `wall` within a wall, `reveal` in a reveal

@@ -49,11 +49,11 @@ storeysOf(const std::vector<RoomCells>& rooms,
         if (rooms[r].base.values()[i])
           lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
         const auto room = static_cast<std::uint32_t>(r);
-        if (rooms[r].riser.values()[i])
-          lintels.push_back({grid.centre(rooms[r].riser.cellAt(i)), room});
-        if (!rooms[r].solid.values()[i])
+        if (!rooms[r].solid.values()[i] && !rooms[r].riser.values()[i])
           continue;
-        if (!rooms[r].glass.values()[i])
+        if (rooms[r].riser.values()[i])
+          lintels.push_back({rooms[r].centres[k], room});
+        else if (!rooms[r].glass.values()[i])
           places.push_back({rooms[r].centres[k], room});
         ++k;
       }

@@ -111,6 +111,36 @@ TEST(PlanEditor, FlightsStayAndLeadFromThePartThatTheirFootIsIn)
   EXPECT_EQ(stairs[1].rooms, (std::array<std::uint32_t, 2>{1, 3}));
 }
 
+TEST(PlanEditor, TellsWhatWallsCutOff)
+{
+  Floorplan plan = twoRooms();
+  PlanFlight flight;
+  flight.risers = {{Eigen::Vector2d(0.5, 3), {0.5, 2}},
+                   {Eigen::Vector2d(2.5, 3), {2.5, 2}}};
+  flight.rise = 0.5;
+  plan.stairs = {{{1, 1}, {1, 1}, 0, 1, {flight}}};
+  using Told = std::vector<std::string>;
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.moveWall(1, 1, -0.5)) << editor.getErrorMessage(); // y = 0
+  EXPECT_EQ(editor.getWarnings(), Told{}) << "neither door nor flight is there";
+  ASSERT_TRUE(editor.moveWall(1, 1, -0.8)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getWarnings(), Told{"the door at (4.10, 1.50), 1.00 m wide, reaches "
+                                       "0.30 m beyond wall 1.2"});
+  ASSERT_TRUE(editor.moveWall(1, 3, -0.25)) << editor.getErrorMessage(); // y = 3
+  EXPECT_EQ(editor.getWarnings(), Told{"the flight of stairs at (2.50, 2.50), from z "
+                                       "0.00 to 1.00 m, reaches 0.25 m through a wall "
+                                       "of room 1"});
+  PlanEditor parted(plan);
+  ASSERT_TRUE(parted.split(1, {-1, 1.4}, {5, 1.4})) << parted.getErrorMessage();
+  EXPECT_EQ(parted.getWarnings(), Told{"the door at (4.10, 1.50), 1.00 m wide, reaches "
+                                       "0.40 m beyond wall 1.1"});
+  parted = PlanEditor(plan);
+  ASSERT_TRUE(parted.split(1, {2, -1}, {2, 4})) << parted.getErrorMessage();
+  EXPECT_EQ(parted.getWarnings(), Told{"the flight of stairs at (2.50, 2.50), from z "
+                                       "0.00 to 1.00 m, reaches 0.50 m through a wall "
+                                       "of room 1"});
+}
+
 TEST(PlanEditor, ADroppedRoomIsOutside)
 {
   PlanEditor editor(twoRooms());

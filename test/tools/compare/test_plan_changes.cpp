@@ -14,6 +14,9 @@ TEST(StructureCompare, TellsNothingOfWhatIsTheSame)
 {
   EXPECT_EQ(told(twoRooms(), twoRooms()), Lines{});
   EXPECT_EQ(told(twoRooms(), twoRooms(5.04)), Lines{}) << "within the tolerance";
+  for (int k = 0; k < 20; ++k) // one binary fraction more than that, another less
+    EXPECT_EQ(told(twoRooms(4 + 0.1 * k), twoRooms(4.05 + 0.1 * k)), Lines{}) << k;
+  EXPECT_EQ(told(twoRooms(), twoRooms(5.051)).size(), 1U);
   EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(5, 4)), Lines{});
   Floorplan renumbered = twoRooms();
   std::swap(renumbered.rooms[0], renumbered.rooms[1]);

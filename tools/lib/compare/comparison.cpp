@@ -56,8 +56,11 @@ toString(ChangeKind kind)
 std::vector<Change>
 comparePlans(const Floorplan& before,
              const Floorplan& after,
-             const CompareSettings& settings)
+             const CompareSettings& given)
 {
+  constexpr double rounding = 1e-6; // metres: what is off by the tolerance is within it
+  CompareSettings settings = given;
+  settings.tolerance += rounding;
   const RoomChanges rooms = roomChanges(before, after);
   std::vector<Change> changes = rooms.changes;
   const auto add = [&](const std::vector<Change>& more) {

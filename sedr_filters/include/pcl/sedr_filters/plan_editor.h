@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 
@@ -57,6 +58,10 @@ public:
   /** @brief Returns why the last call failed; empty after one that did not. */
   const std::string& getErrorMessage() const { return problem_; }
 
+  /** @brief Returns sentences about the openings and flights of stairs that the last
+   * call left out, or longer than their walls, or led through a wall. */
+  const std::vector<std::string>& getWarnings() const { return warnings_; }
+
 private:
   /** @brief Applies a change to a copy of the plan, and keeps it if `change` returns no
    * reason against it and the outlines of rooms are loops that do not cross. */
@@ -65,6 +70,7 @@ private:
 
   Floorplan plan_;
   std::string problem_;
+  std::vector<std::string> warnings_;
 };
 
 /** @brief Returns what is wrong with an outline: "crosses itself near (1.0, 2.0)", "is
