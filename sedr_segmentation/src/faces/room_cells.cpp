@@ -4,6 +4,8 @@
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -149,7 +151,8 @@ gatherWalls(const PointView& points,
     bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
-  const auto& [low, high] = ends;
+  const std::vector<float>& low = ends.low;
+  const std::vector<float>& high = ends.high;
   std::vector<float> below_top(count, 0);
   std::vector<float> is_own(count, 0);
   for (std::size_t at = 0; at < count; ++at)
@@ -163,13 +166,18 @@ gatherWalls(const PointView& points,
   const auto maySlope = [&](std::size_t at) {
     return depths[at] > near[at] * p.rim / 2 && high[at] - low[at] < 2 * p.bin;
   };
-  // A lintel goes down from where a ceiling ends and a lower one begins.
+  // A lintel goes down from where a level ceiling ends and a lower one begins: of the
+  // ceiling around it a third is at its top, of one that slopes a row of cells.
+  std::vector<float> is_at_top(count, 0);
+  for (std::size_t at = 0; at < count; ++at)
+    is_at_top[at] = is_own[at] > 0 && high[at] > cells.top[at] - p.rim / 3 ? 1 : 0;
+  const std::vector<float> at_top = boxSums(cells.seen, reach, is_at_top);
   std::vector<Eigen::Vector3d> sums(count, Eigen::Vector3d::Zero()); // of surfaces
   std::vector<float> beside = high;
   spread(cells.seen, 1, std::greater<>(), beside);
   const auto isLintel = [&](std::size_t at, double z) {
     const double top = cells.top[at];
-    return beside[at] > top - p.rim / 3 &&
+    return beside[at] > top - p.rim / 3 && at_top[at] > near[at] / 3 &&
            cells.low[at] < top - std::max(p.below, grid.size()) &&
            z < top - p.rim / 3 &&
            z > std::max<double>(cells.low[at], top - 2 * p.bin) + p.rim / 3;

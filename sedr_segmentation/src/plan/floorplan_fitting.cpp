@@ -16,6 +16,7 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,13 +63,26 @@ problemOf(const PlanInput& input)
     problem = "the cloud has " + std::to_string(size) +
               " points, that with the tilted walls " +
               std::to_string(input.scanned.size());
-  const auto isMissing = [&](const pcl::IndicesConstPtr& seen) {
-    return (!seen || seen->empty()) && input.hidden.empty();
+  const auto isMissing = [&](const pcl::IndicesConstPtr& seen, auto hidden) {
+    return (!seen || seen->empty()) &&
+           std::all_of(input.hidden.begin(), input.hidden.end(),
+                       [&](const auto& room) { return (room.second.*hidden).empty(); });
   };
-  if (problem.empty() && isMissing(input.ceiling))
+  if (problem.empty() && isMissing(input.ceiling, &HiddenCells::ceiling))
     problem = "no ceiling points were set";
-  if (problem.empty() && isMissing(input.floor))
+  if (problem.empty() && isMissing(input.floor, &HiddenCells::floor))
     problem = "no floor points were set";
+  const auto isFinite = [](const Eigen::Vector3f& p) {
+    return p.cwiseAbs().maxCoeff() < 1e6F;
+  };
+  for (const auto& [room, cells] : input.hidden)
+    if (problem.empty() &&
+        (room == 0 ||
+         !std::all_of(cells.ceiling.begin(), cells.ceiling.end(), isFinite) ||
+         !std::all_of(cells.floor.begin(), cells.floor.end(), isFinite)))
+      problem =
+          "hidden cells of room " + std::to_string(room) +
+          (room == 0 ? ": rooms are numbered from 1" : " are not within 1,000 km");
   const std::pair<const char*, const pcl::IndicesConstPtr&> parts[] = {
       {"ceiling", input.ceiling},
       {"floor", input.floor},

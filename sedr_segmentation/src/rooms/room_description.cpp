@@ -143,7 +143,7 @@ noRoomBecause(const BuildingRoom& room,
                                                         : 0;
   if (room.enclosure >= std::max(least, parameters.minimum_enclosure))
     return {};
-  const bool is_part = access == Access::Entered && area >= of_parting.smallest_level;
+  const bool is_part = area >= of_parting.smallest_level;
   return {formatText("walls along %.0f %% of its outline only: %s",
                      100 * room.enclosure,
                      is_part ? "a room seen in part, or a roof without walls"

@@ -97,6 +97,10 @@ private:
    * seen or hidden: none of them is of a wall. */
   pcl::IndicesPtr nearRim(std::size_t room) const;
 
+  /** @brief Returns those of the points near the rim of a room that are beside hidden
+   * cells of its ceiling, from which no wall grows: what is there is wall. */
+  pcl::Indices besideHidden(std::size_t room, const pcl::Indices& near_rim) const;
+
   bool fitPlan(StageReport& report);
   bool findOpenings(StageReport& report);
   bool refine(StageReport& report);

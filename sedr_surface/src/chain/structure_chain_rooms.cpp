@@ -5,6 +5,7 @@
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_filters/src/walls/plan_evidence.h"
+#include "sedr_segmentation/src/faces/room_cells.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
@@ -15,6 +16,8 @@
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -67,6 +70,25 @@ ChainRun::nearRim(std::size_t r) const
   return near;
 }
 
+pcl::Indices
+ChainRun::besideHidden(std::size_t r, const pcl::Indices& near_rim) const
+{
+  const CellGrid grid(chain_.plane_detection.getGridSize());
+  const CellSet hidden = cellsOf(grid, regions_[r].hidden.ceiling);
+  if (hidden.empty())
+    return {};
+  const double reach = chain_.wall_growing.getDistanceThreshold() / grid.size();
+  const CellMask beside = dilated(
+      CellMask(hidden, grown(boxOf(hidden), static_cast<int>(std::ceil(reach)))),
+      reach);
+  pcl::Indices found;
+  std::copy_if(near_rim.begin(), near_rim.end(), std::back_inserter(found), [&](int i) {
+    const auto& p = (*chain_.cloud)[static_cast<std::size_t>(i)];
+    return beside.at(grid.at(p.x, p.y));
+  });
+  return found;
+}
+
 bool
 ChainRun::growWalls(StageReport& report)
 {
@@ -77,7 +99,8 @@ ChainRun::growWalls(StageReport& report)
                         " m in plan of the boundary of the ceilings";
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
-    chain_.wall_growing.setIndices(nearRim(r));
+    const pcl::IndicesPtr near = nearRim(r);
+    chain_.wall_growing.setIndices(near);
     chain_.wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
     pcl::PointIndices walls;
     if (!chain_.wall_growing.segment(walls)) {
@@ -87,8 +110,10 @@ ChainRun::growWalls(StageReport& report)
     }
     for (const int i : chain_.wall_growing.getWallIndices())
       give(i, StructureLabel::Wall, room);
-    report.points_out += walls.indices.size();
+    for (const int i : besideHidden(r, *near))
+      give(i, StructureLabel::Wall, room);
   }
+  report.points_out = labelled(StructureLabel::Wall)->size();
   return report.points_out > 0 || fail(problem);
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -207,6 +208,23 @@ TEST(FloorplanFitting, NoIndicesAreNoPoints)
   Floorplan plan;
   EXPECT_FALSE(fitting.segment(plan));
   EXPECT_EQ(fitting.getErrorMessage(), "there are no points");
+}
+
+TEST(FloorplanFitting, HiddenCellsOfNoRoomOrPlaceAreRefused)
+{
+  const TwoRooms scene;
+  Fitting fitting;
+  setEvidence(scene.points, scene.evidence, fitting);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Floorplan plan;
+  for (const auto& [room, x] :
+       {std::pair(0u, 1.0F), std::pair(7u, nan), std::pair(7u, 1e30F)}) {
+    fitting.setHiddenCells({{room, {{{x, 1, 2.5F}}, {}}}});
+    EXPECT_FALSE(fitting.segment(plan));
+    EXPECT_NE(fitting.getErrorMessage().find("of room " + std::to_string(room)),
+              std::string::npos)
+        << fitting.getErrorMessage();
+  }
 }
 
 TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)

@@ -23,7 +23,7 @@ TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)
   ASSERT_EQ(found.building.left_out.size(), 3u);
   const LeftOut& roof = found.building.left_out[0];
   EXPECT_NE(roof.reason.find("walls along 0 %"), std::string::npos) << roof.reason;
-  EXPECT_EQ(roof.kind, LeftOutKind::Open);
+  EXPECT_EQ(roof.kind, LeftOutKind::Partial);
   EXPECT_EQ(found.building.left_out[1].kind, LeftOutKind::Low);
   EXPECT_EQ(found.building.left_out[2].kind, LeftOutKind::Void);
   EXPECT_NEAR(roof.area, 16, 1);
@@ -69,7 +69,7 @@ TEST(FindBuilding, WhatIsSeenThroughGlassIsNoRoom)
   scene.wall(4.15, 0.05, 4.15, 4.05, 0.01, 2.51);
   const Found found(scene);
   ASSERT_EQ(found.building.rooms.size(), 1u);
-  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Open);
+  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Partial);
 }
 
 TEST(FindBuilding, BehindGlassAlongHalfOfItsOutlineAClosedPlaceIsNoRoom)
@@ -83,7 +83,7 @@ TEST(FindBuilding, BehindGlassAlongHalfOfItsOutlineAClosedPlaceIsNoRoom)
   ASSERT_EQ(found.building.rooms.size(), 1u);
   ASSERT_FALSE(found.building.left_out.empty());
   EXPECT_NEAR(found.building.left_out[0].area, 24, 2);
-  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Open);
+  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Partial);
 }
 
 /** Adds a room of 4 m x 3 m with an open door. */

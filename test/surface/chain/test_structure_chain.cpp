@@ -116,11 +116,43 @@ TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
   EXPECT_NEAR(room.area(), 12, 0.05);
   EXPECT_NEAR(room.ceiling.inferred, 0.8 / 12, 0.02);
   EXPECT_NEAR(room.floor.inferred, 1.5 / 12, 0.02);
+  for (std::size_t i = 0; i < scan->size(); ++i)
+    if (const float z = (*scan)[i].z; z > 0.2F && z < 2.3F) {
+      ASSERT_EQ(chain.labels[i], 3u) << (*scan)[i];
+    }
   const auto isFilled = [](const pcl::PointStructure& p) {
     return p.x > 0.3F && p.x < 0.5F && p.y > 0.3F && p.y < 0.5F && p.z > 2.49F;
   };
   EXPECT_GE(std::count_if(chain.structure->begin(), chain.structure->end(), isFilled),
             9);
+}
+
+TEST(StructureChain, TheHighestRowOfASlopingCeilingIsNoLintel)
+{
+  const PlanLoop walls = rectangle(0.01, 0.01, 4.01, 5.01);
+  for (const double degrees : {30.0, 40.0, 50.0})
+    for (const auto& [spacing, noise] :
+         {std::pair(0.034, 0.01), std::pair(0.05, 0.003)}) {
+      const double slope = std::tan(degrees * M_PI / 180);
+      PlanSlab roof;
+      roof.plane = Eigen::Vector4d(-slope, 0, 1, -1.5) / std::hypot(slope, 1);
+      RoomPoints points(spacing, noise);
+      points.slab(walls, 0);
+      points.slab(walls, roof);
+      for (const PlanElement& wall : walls.elements)
+        points.wall(wall, 0, 9, [&](double s, double z) {
+          const Eigen::Vector2d p = wall.pointAt(s);
+          const bool is_open = p.x() > 3.99 && p.y() > 0.5 && p.y() < 4.5;
+          return !is_open && z < roof.heightAt(p);
+        });
+      StructureChain chain;
+      chain.unit_is_known = true;
+      ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+      ASSERT_EQ(chain.plan->rooms.size(), 1u);
+      EXPECT_NEAR(chain.plan->rooms[0].area(), 20, 0.05) << degrees << ' ' << spacing;
+      EXPECT_EQ(chain.plan->rooms[0].boundary.elements.size(), 4u)
+          << degrees << ' ' << spacing;
+    }
 }
 
 TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
