@@ -125,6 +125,8 @@ private:
   {
     const auto at_a = levelsBetween(a, low_slab, high_slab);
     const auto at_b = levelsBetween(b, low_slab, high_slab);
+    if (at_a.empty() || at_b.empty()) // its slabs cross: the solid stays open there
+      return;
     std::size_t i = 0;
     std::size_t j = 0;
     while (i + 1 < at_a.size() || j + 1 < at_b.size()) {
@@ -141,10 +143,10 @@ private:
   levelsBetween(std::uint32_t vertex, int low_slab, int high_slab) const
   {
     const auto& levels = levels_[vertex].levels();
-    return {std::lower_bound(levels.begin(), levels.end(),
-                             levels_[vertex].levelOf(low_slab)),
-            std::upper_bound(levels.begin(), levels.end(),
-                             levels_[vertex].levelOf(high_slab))};
+    const auto low = std::lower_bound(levels.begin(), levels.end(),
+                                      levels_[vertex].levelOf(low_slab));
+    return {low, std::max(low, std::upper_bound(levels.begin(), levels.end(),
+                                                levels_[vertex].levelOf(high_slab)))};
   }
 
   /** @brief Returns the possible roles of a strip that separates solid from empty
