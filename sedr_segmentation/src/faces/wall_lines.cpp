@@ -265,7 +265,7 @@ mainAngles(const std::vector<double>& angles,
 
 std::vector<WallLine>
 wallLines(std::vector<SurfacePlace> places,
-          const std::vector<Eigen::Vector2d>& lower,
+          const std::vector<SurfacePlace>& lower,
           const WallLineParameters& p)
 {
   constexpr std::size_t least = 6; // places of a line: 0.3 m
@@ -323,7 +323,7 @@ wallLines(std::vector<SurfacePlace> places,
         (is_oblique && static_cast<double>(longest) * p.cell < p.min_oblique))
       continue;
     std::vector<std::uint8_t> is_low(cells.size(), 0);
-    for (const Eigen::Vector2d& q : lower)
+    for (const auto& [q, room] : lower)
       if (std::abs(line.normal.dot(q) - line.offset) < p.cell)
         if (const double at = (along.dot(q) - wall.start) / p.cell;
             at >= 0 && at < static_cast<double>(cells.size()))

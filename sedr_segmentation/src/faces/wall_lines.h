@@ -73,7 +73,7 @@ struct SurfacePlace {
  * @param places on surfaces up to the ceiling
  * @param lower centres of cells with surfaces below any sill */
 std::vector<WallLine> wallLines(std::vector<SurfacePlace> places,
-                                const std::vector<Eigen::Vector2d>& lower,
+                                const std::vector<SurfacePlace>& lower,
                                 const WallLineParameters& parameters = {});
 
 } // namespace pcl::sedr

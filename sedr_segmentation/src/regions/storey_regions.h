@@ -50,7 +50,8 @@ void addCells(const CellMask& mask, CellMask& sum);
 struct Storey {
   std::vector<std::size_t> rooms; ///< that belong to it
   std::vector<WallLine> lines;    ///< of their walls, and of rooms beside them
-  std::vector<WallLine> lintels;  ///< all that there may be of a wall of windows
+  std::vector<WallLine>
+      lintels; ///< and parapets: all there may be of a wall of windows
 };
 
 /** @brief Groups rooms by the heights that they share, and finds the lines of each

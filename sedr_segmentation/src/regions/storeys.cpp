@@ -40,15 +40,15 @@ storeysOf(const std::vector<RoomCells>& rooms,
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     std::vector<SurfacePlace> places;
     std::vector<SurfacePlace> lintels;
-    std::vector<Eigen::Vector2d> lower;
+    std::vector<SurfacePlace> parapets;
     for (const std::size_t r : order) {
       if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
         continue;
       std::size_t k = 0;
       for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i) {
-        if (rooms[r].base.values()[i])
-          lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
         const auto room = static_cast<std::uint32_t>(r);
+        if (rooms[r].base.values()[i])
+          parapets.push_back({grid.centre(rooms[r].base.cellAt(i)), room});
         if (!rooms[r].solid.values()[i] && !rooms[r].riser.values()[i])
           continue;
         if (rooms[r].riser.values()[i])
@@ -58,8 +58,12 @@ storeysOf(const std::vector<RoomCells>& rooms,
         ++k;
       }
     }
-    storeys[s].lines = wallLines(std::move(places), lower, parameters);
+    storeys[s].lines = wallLines(std::move(places), parapets, parameters);
     storeys[s].lintels = wallLines(std::move(lintels), {}, parameters);
+    WallLineParameters of_parapets = parameters;
+    of_parapets.min_part = 2; // shorter ones are below windows with walls beside them
+    for (WallLine& line : wallLines(std::move(parapets), {}, of_parapets))
+      storeys[s].lintels.push_back(std::move(line));
     for (WallLine& line : storeys[s].lintels)
       for (AlongLine& what : line.places)
         what = what == AlongLine::Surface ? AlongLine::Ended : AlongLine::Nothing;

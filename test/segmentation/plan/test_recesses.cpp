@@ -127,6 +127,28 @@ TEST(Recesses, BesidePilastersNeither)
   EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
 }
 
+TEST(Recesses, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
+{
+  const PlanLoop walls = rectangle(0, 0, 6, 4);
+  const PlanLoop bay = rectangle(0.12, 4, 5.88, 4.2);
+  RoomPoints points(0.04, 0.003);
+  RoomParts parts;
+  parts.floor = points.slab(walls, 0);
+  parts.ceiling = joined(points.slab(walls, 2.6), points.slab(bay, 2.6));
+  for (std::size_t i = 0; i < walls.elements.size(); ++i)
+    parts.walls = joined(
+        parts.walls, points.wall(walls.elements[i], 0, 2.6, [&](double s, double z) {
+          return i != 2 || z < 0.5 || s < 0.12 || s > 5.88;
+        }));
+  for (const std::size_t side : {1, 3})
+    parts.walls = joined(parts.walls, points.wall(bay.elements[side], 0.5, 2.6));
+  Fitting fitting;
+  setEvidence(points, evidenceOf(points, parts), fitting);
+  Floorplan plan;
+  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
+}
+
 TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
 {
   const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {
