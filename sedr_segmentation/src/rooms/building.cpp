@@ -68,17 +68,18 @@ isWalkable(const RoomOpening& opening, const PartingParameters& of_parting)
          opening.top - opening.bottom >= min_height;
 }
 
-/** @brief How one gets to each part of the air. */
-std::vector<Access>
-accessTo(const PartedAir& parted, const PartingParameters& of_parting)
+/** @brief 1 for the largest part of the air and those that one walks into from another:
+ * into others a scanner may have looked through glass. */
+std::vector<std::uint8_t>
+enteredParts(const PartedAir& parted, const PartingParameters& of_parting)
 {
-  std::vector<Access> access(parted.rooms, Access::Unknown);
-  if (!access.empty())
-    access[0] = Access::Largest; // parts are by size
+  std::vector<std::uint8_t> is_entered(parted.rooms, 0);
+  if (!is_entered.empty())
+    is_entered[0] = 1; // parts are by size
   for (const RoomOpening& opening : parted.openings)
     if (isWalkable(opening, of_parting))
-      access[opening.a] = access[opening.b] = Access::Entered;
-  return access;
+      is_entered[opening.a] = is_entered[opening.b] = 1;
+  return is_entered;
 }
 
 /** @brief What each part of the air is.
@@ -99,7 +100,7 @@ judge(const AirGaps& air,
   const std::vector<std::uint8_t> is_image = mirrorImages(air, parted, points, floors);
   const std::vector<std::uint8_t> is_view =
       viewsThroughPanes(air, parted, points, behind);
-  const std::vector<Access> access = accessTo(parted, of_parting);
+  const std::vector<std::uint8_t> is_entered = enteredParts(parted, of_parting);
   std::vector<Verdict> verdicts(parts.size());
   std::vector<double> levels; // floors of rooms that are large enough to make one
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -109,8 +110,8 @@ judge(const AirGaps& air,
       verdicts[p] = {"seen only through panes of glass, or in mirrors",
                      LeftOutKind::Mirror};
     else
-      verdicts[p] =
-          noRoomBecause(parts[p], grid.size(), access[p], parameters, of_parting);
+      verdicts[p] = noRoomBecause(parts[p], grid.size(), is_entered[p] != 0, parameters,
+                                  of_parting);
     if (verdicts[p].isRoom() && parts[p].area >= of_parting.smallest_level)
       levels.push_back(parts[p].floor);
   }

@@ -107,7 +107,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
 Verdict
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
-              Access access,
+              bool is_entered,
               const BuildingParameters& parameters,
               const PartingParameters& of_parting)
 {
@@ -139,7 +139,7 @@ noRoomBecause(const BuildingRoom& room,
   // Of a place too small for a scanner only what an opening shows may be seen, and
   // into what one does not enter it may look through glass.
   const double least = area < of_parting.smallest_level ? closed
-                       : access == Access::Unknown      ? not_glazed
+                       : !is_entered                    ? not_glazed
                                                         : 0;
   if (room.enclosure >= std::max(least, parameters.minimum_enclosure))
     return {};

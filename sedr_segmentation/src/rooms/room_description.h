@@ -22,18 +22,12 @@ struct Verdict {
   bool isRoom() const { return reason.empty(); }
 };
 
-/** @brief How one gets to a part of the air. */
-enum class Access {
-  Unknown, ///< a scanner may have looked into it through glass
-  Largest, ///< it is the largest
-  Entered  ///< one walks into it from another: it is not outdoors
-};
-
 /** @brief Whether a part of the air has what a room has: height, floor and ceiling, and
- * walls. */
+ * walls.
+ * @param is_entered false: a scanner may have looked into it through glass */
 Verdict noRoomBecause(const BuildingRoom& room,
                       double cell_size,
-                      Access access,
+                      bool is_entered,
                       const BuildingParameters& parameters,
                       const PartingParameters& of_parting);
 

@@ -36,16 +36,15 @@ addColumns(BuildingRoom& room, int n, float floor, float ceiling)
 std::string
 reasonOf(const BuildingRoom& room)
 {
-  return noRoomBecause(room, 0.1, Access::Largest, BuildingParameters(),
-                       PartingParameters())
+  return noRoomBecause(room, 0.1, true, BuildingParameters(), PartingParameters())
       .reason;
 }
 
 LeftOutKind
 kindOf(const BuildingRoom& room)
 {
-  const Verdict verdict = noRoomBecause(room, 0.1, Access::Largest,
-                                        BuildingParameters(), PartingParameters());
+  const Verdict verdict =
+      noRoomBecause(room, 0.1, true, BuildingParameters(), PartingParameters());
   EXPECT_FALSE(verdict.isRoom());
   return verdict.kind;
 }

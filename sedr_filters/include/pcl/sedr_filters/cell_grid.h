@@ -202,18 +202,6 @@ anyAround(const CellSet& cells, Cell middle, int reach, Asked asked)
   return false;
 }
 
-/** @brief Calls `see(position)` for the cells of a set within `reach` columns and rows
- * of `middle`, which is included, row by row. */
-template <typename See>
-void
-forEachAround(const CellSet& cells, Cell middle, int reach, See see)
-{
-  anyAround(cells, middle, reach, [&](std::size_t i) {
-    see(i);
-    return false;
-  });
-}
-
 CellSet unite(const CellSet& a, const CellSet& b);
 
 CellSet intersect(const CellSet& a, const CellSet& b);
