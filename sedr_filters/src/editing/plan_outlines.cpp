@@ -78,6 +78,8 @@ outlineProblem(const PlanLoop& loop)
     return "is empty";
   if (loop.area() <= 0)
     return "is clockwise";
+  if (loop.area() < touching * loop.length())
+    return "encloses " + numberText(loop.area()) + " m2 only";
   const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
   const std::size_t n = corners.size();
   const auto chordAt = [&](std::size_t k) {

@@ -249,6 +249,7 @@ TEST(PlanEditor, AWallDoesNotMoveIntoAnotherRoomOfItsStorey)
   EXPECT_FALSE(editor.moveWall(1, 2, 0.5)); // x = 4; the other room begins at 4.2
   EXPECT_EQ(editor.getErrorMessage(), "room 1 would then overlap room 2 by 0.9 m2");
   EXPECT_TRUE(editor.moveWall(1, 2, 0.2)) << "to its face";
+  EXPECT_FALSE(editor.moveWall(1, 2, -4.2)) << "to the wall across the room";
   Floorplan plan = twoRooms();
   plan.rooms[1].floor = sedr_test::slabAt(2.8);
   plan.rooms[1].ceiling = sedr_test::slabAt(5.3);
