@@ -6,7 +6,8 @@ namespace pcl::sedr {
 /** @brief Logarithms of the odds that two parts of the air are one room, by what is
  * measured along their border, see RoomBorders::oddsOfOne(). Fitted by maximum
  * likelihood to random buildings (test/benchmarks/border_odds.py); behind each
- * its standard error. */
+ * its standard error. `stacked` was fitted again later, to more of them, with others
+ * that are near these. */
 struct BorderOdds {
   double any = -3.42;  ///< 0.25
   double dip = -5.58;  ///< 0.56; a metre that the ceiling dips, one at most

@@ -187,7 +187,7 @@ struct PlanSlab {
   Eigen::Vector4d plane = Eigen::Vector4d(0, 0, 1, 0); ///< curve: nearest plane
   std::size_t inliers = 0;
   double residual = 0; ///< root mean square distance of the inliers, metres
-  double inferred = 0; ///< of a facet or detail: share of its area not seen
+  double inferred = 0; ///< share of the area that was not seen
   std::shared_ptr<const SlabCurve> curve{}; ///< shape of a vault or dome; null: a plane
 
   double heightAt(const Eigen::Vector2d& p) const

@@ -45,7 +45,7 @@ struct MirrorFigures {
   std::vector<std::uint8_t> behind;        ///< 1: thinned point seen only through glass
 };
 
-/** @brief Runs the stages 2 to 11 on a thinned cloud (paper, section 2.1). Each stage
+/** @brief Runs the stages after thinning (paper, section 2.1). Each stage
  * is a PCL-style object, a member of this class with its own setters. The stages share
  * one cloud with a label and a room per point. What ceilings and floors hide is a state
  * of their cells, see HiddenCells; only repair makes points of it. */
