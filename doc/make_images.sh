@@ -49,8 +49,7 @@ for scene in bls_room hls_hall syn_flat; do
   "$bin/pcl_simulate_indoor_scan" "$scene" "$d"
   stage parallel_voxel_grid           $scene "$d/scan.pcd"    "$d/thinned.pcd"
   stage room_segmentation             $scene "$d/thinned.pcd" "$d/rooms.pcd" --building "$d/building.json"
-  stage horizontal_plane_detection    $scene "$d/rooms.pcd"   "$d/planes.pcd" --building "$d/building.json"
-  stage grid_slice_detail             $scene "$d/planes.pcd"  "$d/details.pcd"
+  stage grid_slice_detail             $scene "$d/rooms.pcd"   "$d/details.pcd"
   stage floor_projection_recovery     $scene "$d/details.pcd" "$d/floor.pcd"
   stage ceiling_boundary_wall_growing $scene "$d/floor.pcd"   "$d/walls.pcd"
   stage floorplan_fitting             $scene "$d/walls.pcd"   "$d/plan.json" --building "$d/building.json"
@@ -62,7 +61,7 @@ done
 for scene in bls_room syn_flat; do
   d=$data/$scene
   flat=$([ $scene = syn_flat ] && echo _flat || true)
-  "$bin/pcl_horizontal_plane_detection" --whole "$d/thinned.pcd" "$d/levels.pcd" \
+  "$bin/pcl_horizontal_plane_detection" "$d/thinned.pcd" "$d/levels.pcd" \
     --picture "$output/horizontal_plane_detection$flat.png" >/dev/null
   "$bin/pcl_grid_region_outlier_removal" "$d/levels.pcd" "$d/regions.pcd" \
     --picture "$output/grid_region_outlier_removal$flat.png" >/dev/null

@@ -36,11 +36,10 @@ TEST_F(HorizontalPlaneDetectionTool, ListsAndLabelsCeilingAndFloorAndKeepsAllFie
   EXPECT_LT(share(scan, cloud, Label::Other, Label::Floor), 0.05) << "no table top";
 }
 
-TEST_F(HorizontalPlaneDetectionTool, ForgetsRoomsOfAFileThatIsLookedAtAsAWhole)
+TEST_F(HorizontalPlaneDetectionTool, ForgetsRooms)
 {
-  const std::string bytes = scanOf().pcd(true);
-  EXPECT_EQ(
-      runOn(HORIZONTAL_PLANE_DETECTION, bytes, "output.pcd", {"--whole"}).exit_code, 0);
+  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, scanOf().pcd(true), "output.pcd").exit_code,
+            0);
   EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 0u);
 }
 

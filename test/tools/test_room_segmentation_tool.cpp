@@ -82,35 +82,11 @@ TEST_F(RoomSegmentationTool, TakesItsOptions)
 TEST_F(RoomSegmentationTool, OnlyABuildingIsReadAsOne)
 {
   for (const char* text : {"", "{}", "[1]", R"({"format": "sedr-planes"})",
-                           R"({"format": "sedr-building", "version": 1})"}) {
+                           R"({"format": "sedr-building", "version": 2})"}) {
     writeFile(in("building.json"), text);
     EXPECT_THROW(loadBuilding(in("building.json")), ToolError) << text;
   }
   EXPECT_THROW(loadBuilding(in("missing.json")), ToolError);
-}
-
-TEST_F(RoomSegmentationTool, PlanesAreThoseOfEachRoom)
-{
-  ASSERT_EQ(runOn(ROOM_SEGMENTATION, twoStoreys().pcd(false), "rooms.pcd",
-                  {"--building", in("building.json")})
-                .exit_code,
-            0);
-  const ProgramRun result =
-      run(HORIZONTAL_PLANE_DETECTION,
-          {in("rooms.pcd"), in("output.pcd"), "--building", in("building.json")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  std::size_t place = 0;
-  for (const char* plane : {"ceiling     2.500", "floor       0.000",
-                            "ceiling     5.300", "floor       2.800"}) {
-    place = result.out.find(plane, place);
-    ASSERT_NE(place, std::string::npos) << plane << " in\n" << result.out;
-  }
-  const ToolCloud cloud = loadCloud(in("output.pcd"));
-  EXPECT_EQ(*std::max_element(cloud.room.begin(), cloud.room.end()), 2u);
-  const ProgramRun whole =
-      run(HORIZONTAL_PLANE_DETECTION, {in("rooms.pcd"), in("whole.pcd"), "--whole",
-                                       "--building", in("building.json")});
-  EXPECT_EQ(whole.exit_code, 1) << "of no use there";
 }
 
 } // namespace

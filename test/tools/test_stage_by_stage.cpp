@@ -47,9 +47,7 @@ protected:
     stage(PARALLEL_VOXEL_GRID, {"scan.pcd", "thinned.pcd"});
     stage(ROOM_SEGMENTATION,
           {"thinned.pcd", "rooms.pcd", "--building", "building.json"});
-    stage(HORIZONTAL_PLANE_DETECTION,
-          {"rooms.pcd", "planes.pcd", "--building", "building.json"});
-    stage(GRID_SLICE_DETAIL, {"planes.pcd", "details.pcd"});
+    stage(GRID_SLICE_DETAIL, {"rooms.pcd", "details.pcd"});
     stage(FLOOR_PROJECTION_RECOVERY, {"details.pcd", "floor.pcd"});
     stage(CEILING_BOUNDARY_WALL_GROWING, {"floor.pcd", "walls.pcd"});
     stage(FLOORPLAN_FITTING, {"walls.pcd", "floorplan.json", "--raw", "scan.pcd",

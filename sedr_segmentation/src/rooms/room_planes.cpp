@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace pcl::sedr {
 
@@ -97,28 +96,6 @@ hiddenCeiling(const std::vector<RoomColumn>& columns,
     }
   }
   return hidden;
-}
-
-pcl::HorizontalPlane
-listedPlane(LevelKind kind,
-            const PlanSlab& plane,
-            std::vector<int> inliers,
-            const PointView& points,
-            const CellGrid& grid)
-{
-  pcl::HorizontalPlane listed;
-  listed.kind = kind;
-  listed.slab = plane;
-  listed.residual = plane.residual;
-  for (int k = 0; k < 4; ++k)
-    listed.coefficients.values.push_back(static_cast<float>(plane.plane[k]));
-  const CellSet cells(grid, points, inliers);
-  listed.cells = cells.size();
-  listed.area = static_cast<double>(cells.size()) * grid.size() * grid.size();
-  if (!cells.empty())
-    listed.height = plane.heightAt(grid.centre(cells[cells.size() / 2]));
-  listed.inliers.indices = std::move(inliers);
-  return listed;
 }
 
 } // namespace pcl::sedr

@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/building.h>
-#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 
 #include <Eigen/Core>
 
@@ -61,13 +60,5 @@ std::vector<Eigen::Vector3f> hiddenCeiling(const std::vector<RoomColumn>& column
                                            const CellGrid& grid,
                                            const CellSet& seen,
                                            const PlanSlab& plane);
-
-/** @brief A plane of a room as HorizontalPlaneDetection lists it.
- * @param inliers points on it, increasing; none: an area of 0 */
-pcl::HorizontalPlane listedPlane(LevelKind kind,
-                                 const PlanSlab& plane,
-                                 std::vector<int> inliers,
-                                 const PointView& points,
-                                 const CellGrid& grid);
 
 } // namespace pcl::sedr

@@ -72,19 +72,4 @@ TEST(RoomPlanes, AHiddenCeilingGoesOnInTheMainPlaneWhereItIsInferredNearIt)
   }
 }
 
-TEST(RoomPlanes, AListedPlaneHasTheAreaOfTheCellsOfItsPoints)
-{
-  const CellGrid grid(0.05);
-  RoomPoints points;
-  const auto on = points.slab(rectangle(0, 0, 2, 1), 2.5);
-  const auto listed =
-      listedPlane(LevelKind::Ceiling, slabAt(2.5), on, points.view(), grid);
-  EXPECT_NEAR(listed.area, 2, 1e-9);
-  EXPECT_EQ(listed.cells, 800u);
-  EXPECT_NEAR(listed.height, 2.5, 1e-9);
-  EXPECT_EQ(listed.kind, LevelKind::Ceiling);
-  EXPECT_EQ(listed.inliers.indices.size(), on.size());
-  EXPECT_EQ(listedPlane(LevelKind::Floor, slabAt(0), {}, points.view(), grid).area, 0);
-}
-
 } // namespace

@@ -14,37 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "sedr-building";
-constexpr int format_version = 2;
-
-Json
-jsonOf(const BuildingRoom& room, const CellGrid& grid)
-{
-  Json hidden = Json::array();
-  for (const RoomColumn& column : room.columns)
-    if (const Eigen::Vector2d at = grid.centre(column.cell); !column.ceiling_seen)
-      hidden.push_back({at.x(), at.y(), column.ceiling});
-  return {{"id", room.id},
-          {"floor", room.floor},
-          {"ceiling", room.ceiling},
-          {"hidden_ceiling", hidden}};
-}
-
-BuildingRoom
-roomFrom(const Json& json, const CellGrid& grid)
-{
-  BuildingRoom room;
-  json.at("id").get_to(room.id);
-  json.at("floor").get_to(room.floor);
-  json.at("ceiling").get_to(room.ceiling);
-  for (const Json& place : json.at("hidden_ceiling")) {
-    const auto at = place.get<Eigen::Vector3d>();
-    if (!grid.holds(at.x(), at.y()))
-      throw ToolError("a place of a hidden ceiling lies too far out");
-    room.columns.push_back({grid.at(at.x(), at.y()), static_cast<float>(room.floor),
-                            static_cast<float>(at.z()), true, false});
-  }
-  return room;
-}
+constexpr int format_version = 3;
 
 } // namespace
 
@@ -53,11 +23,11 @@ buildingToJson(const Building& building)
 {
   Json rooms = Json::array();
   for (const BuildingRoom& room : building.rooms)
-    rooms.push_back(jsonOf(room, building.grid));
+    rooms.push_back(
+        {{"id", room.id}, {"floor", room.floor}, {"ceiling", room.ceiling}});
   return Json{{"format", format_name},
               {"version", format_version},
               {"unit", "m"},
-              {"cell_size", building.grid.size()},
               {"rooms", rooms},
               {"storeys", building.storeys},
               {"doorways", building.doorways},
@@ -78,11 +48,12 @@ loadBuilding(const std::string& path)
         json.value("version", 0) != format_version)
       throw ToolError("it is none that this pcl_room_segmentation writes");
     Building building;
-    building.grid = CellGrid(json.at("cell_size").get<double>());
-    if (!(building.grid.size() > 0))
-      throw ToolError("its cells have no size");
-    for (const Json& room : json.at("rooms"))
-      building.rooms.push_back(roomFrom(room, building.grid));
+    for (const Json& of_room : json.at("rooms")) {
+      BuildingRoom& room = building.rooms.emplace_back();
+      of_room.at("id").get_to(room.id);
+      of_room.at("floor").get_to(room.floor);
+      of_room.at("ceiling").get_to(room.ceiling);
+    }
     json.at("storeys").get_to(building.storeys);
     json.at("doorways").get_to(building.doorways);
     json.at("stairs").get_to(building.stairs);

@@ -3,8 +3,7 @@
 # [stages]
 pcl_parallel_voxel_grid           scan.pcd    thinned.pcd
 pcl_room_segmentation             thinned.pcd rooms.pcd --building building.json
-pcl_horizontal_plane_detection    rooms.pcd   planes.pcd --building building.json
-pcl_grid_slice_detail             planes.pcd  details.pcd
+pcl_grid_slice_detail             rooms.pcd   details.pcd
 pcl_floor_projection_recovery     details.pcd floor.pcd
 pcl_ceiling_boundary_wall_growing floor.pcd   walls.pcd
 pcl_floorplan_fitting             walls.pcd   floorplan.json --raw scan.pcd --building building.json
