@@ -233,7 +233,7 @@ gatherWalls(const PointView& points,
     // A low lintel has no room for more than one bin.
     is_low[i] = cells.top[i] - cells.low[i] < p.filled_of_wall * p.bin;
     cells.riser.values()[i] =
-        sums[i].z() > 0 && !goes_on && (is_low[i] || below_top >= needed);
+        !goes_on && (below_top >= needed || (is_low[i] && sums[i].z() > 0));
     cells.pillar.values()[i] =
         below_top < needed && below_low >= needed && !endsBelow(i);
     const std::uint64_t above_sill = bins_of_base[i] & ~below_sill;
@@ -245,21 +245,27 @@ gatherWalls(const PointView& points,
   const CellMask near_solid = dilated(cells.solid, 1);
   const CellMask near_base = dilated(cells.base, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<std::uint8_t> is_wanting(count); // its centre is that of all its points
+  for (std::size_t i = 0; i < count; ++i) {
     if (!cells.riser.values()[i])
       sums[i].setZero();
+    is_wanting[i] = cells.solid.values()[i] ||
+                    (cells.riser.values()[i] && !(sums[i].z() > 0));
+  }
   for (const Place& place : places) {
     if (endsBelow(place.cell))
       continue;
     if (place.is_top ? place.is_wall || near_solid.values()[place.cell]
                      : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);
-    if (place.is_top && cells.solid.values()[place.cell])
+    if (place.is_top && is_wanting[place.cell])
       sums[place.cell] += place.at.homogeneous();
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (!(sums[i].z() > 0))
+    if (!(sums[i].z() > 0)) {
+      cells.riser.values()[i] = 0;
       continue;
+    }
     cells.centres.push_back(sums[i].hnormalized());
     if (cells.riser.values()[i] && is_low[i]) // as good as a wall above a parapet
       cells.wall_points.insert(cells.wall_points.end(),
