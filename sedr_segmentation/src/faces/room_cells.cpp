@@ -249,8 +249,8 @@ gatherWalls(const PointView& points,
   for (std::size_t i = 0; i < count; ++i) {
     if (!cells.riser.values()[i])
       sums[i].setZero();
-    is_wanting[i] = cells.solid.values()[i] ||
-                    (cells.riser.values()[i] && !(sums[i].z() > 0));
+    is_wanting[i] =
+        cells.solid.values()[i] || (cells.riser.values()[i] && !(sums[i].z() > 0));
   }
   for (const Place& place : places) {
     if (endsBelow(place.cell))

@@ -78,6 +78,30 @@ roomBehind(const Floorplan& plan, const PlanOpening& opening, double depth)
   return 0;
 }
 
+/** @brief Returns how deep the jambs and the head of an opening were seen behind the
+ * face, metres; the depth of the map where they were not. */
+double
+revealDepth(const WallMap& map, const WallRectangle& at)
+{
+  const double reach = opening_numbers.on_face;
+  std::vector<double> depths;
+  for (const SidePoint& p : map.points())
+    if (p.offset < -map.tolerance() && p.along > at.from - reach &&
+        p.along < at.to + reach && p.height > at.bottom + reach &&
+        p.height < at.top + reach &&
+        (p.along < at.from + reach || p.along > at.to - reach ||
+         p.height > at.top - reach))
+      depths.push_back(-p.offset);
+  if (static_cast<double>(depths.size()) < opening_numbers.min_points)
+    return map.depth();
+  constexpr double share = 0.95; // of them is seen before this share of the depth
+  const auto deep =
+      depths.begin() +
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(depths.size() - 1));
+  std::nth_element(depths.begin(), deep, depths.end());
+  return std::min(*deep / share, map.depth());
+}
+
 /** @brief Adds the wall of a side; none of a column. */
 void
 addWall(const Floorplan& plan, const WallSide& side, PlanOpening& opening)
@@ -271,7 +295,7 @@ private:
     const Eigen::Vector2d place = side.line.pointAt((at.from + at.to) / 2);
     PlanOpening& o = candidate.opening;
     addWall(plan_, side, o);
-    o.depth = map.depth();
+    o.depth = revealDepth(map, at);
     if (is_paired) {
       const WallSide& other = search_.sides[candidate.behind];
       addWall(plan_, other, o);

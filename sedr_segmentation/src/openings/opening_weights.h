@@ -75,7 +75,7 @@ struct OpeningNumbers {
   double noise_band = 0.06;    ///< of the points that show the noise, metres
   double min_tolerance = 0.02; ///< of points of a face, metres
   double slab_band = 0.04;     ///< of points of floor and ceiling, metres
-  double on_face = 0.05;       ///< of boards and casings on a wall, metres
+  double on_face = 0.05;       ///< of boards on a wall and of a reveal, metres
   double min_points = 50;      ///< that show the noise of a face
   double cell_points = 3;      ///< in the middle one of the cells that were seen
   double least_share = 0.15;   ///< of the usual points of a cell in one that was seen

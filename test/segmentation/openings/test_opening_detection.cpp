@@ -73,6 +73,7 @@ TEST_P(OpeningsInNoise, WindowToTheOutside)
   scene.scanSheet(window, -0.1, 30); // glass returns few points
   const PlanOpening found = openingOf(scene, OpeningKind::Window);
   EXPECT_EQ(found.rooms[1], 0u);
+  EXPECT_NEAR(found.depth, 0.2, 0.02);
   EXPECT_NEAR(std::min(found.start.x(), found.end.x()), window.from, 0.01);
   EXPECT_NEAR(std::max(found.start.x(), found.end.x()), window.to, 0.01);
   EXPECT_NEAR(found.bottom, window.bottom, 0.01);
@@ -207,7 +208,7 @@ TEST(OpeningDetection, AboveEachOtherInOneWall)
   const auto highest = std::max_element(
       found.begin(), found.end(),
       [](const PlanOpening& a, const PlanOpening& b) { return a.bottom < b.bottom; });
-  expectEdges(*highest, light, -0.15, 0.02);
+  expectEdges(*highest, light, -0.1, 0.02);
 }
 
 TEST(OpeningDetection, WindowInATiltedWall)
@@ -219,7 +220,7 @@ TEST(OpeningDetection, WindowInATiltedWall)
     const auto found = openingsOf(scene);
     ASSERT_EQ(found.size(), 1u) << degrees;
     EXPECT_EQ(found[0].kind, OpeningKind::Window);
-    expectEdges(found[0], window, -0.15, 0.015);
+    expectEdges(found[0], window, -0.1, 0.015);
   }
 }
 
