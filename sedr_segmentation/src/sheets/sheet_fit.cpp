@@ -47,9 +47,7 @@ FacetSheet::heightAt(const Eigen::Vector2d& p) const
   // Beside the grid facets are not known: a slope would go on below the floor.
   const Eigen::Vector2d place =
       grid.cellsTo(p).cwiseMax(0).cwiseMin(Eigen::Vector2d(grid.columns, grid.rows));
-  const int x = std::min(static_cast<int>(place.x()), grid.columns - 1);
-  const int y = std::min(static_cast<int>(place.y()), grid.rows - 1);
-  return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(
+  return facets[static_cast<std::size_t>(label[grid.nearest(p)])].heightAt(
       grid.placeOf(place.x(), place.y()));
 }
 
@@ -135,30 +133,6 @@ hasSlope(const FacetSheet& sheet)
   return std::any_of(
       sheet.facets.begin(), sheet.facets.end(),
       [](const PlanSlab& facet) { return !isRelief(facet) && !isLevel(facet); });
-}
-
-PlanSlab
-reliefOf(const FacetSheet& sheet, double spacing)
-{
-  SlabCurve relief;
-  relief.kind = CurveKind::Relief;
-  relief.spacing = spacing;
-  Eigen::AlignedBox2d box;
-  for (const int x : {0, sheet.grid.columns})
-    for (const int y : {0, sheet.grid.rows})
-      box.extend(sheet.grid.placeOf(x, y));
-  relief.centre = box.min();
-  const Eigen::Vector2d extent = box.sizes() / spacing;
-  relief.columns = static_cast<std::size_t>(std::ceil(extent.x())) + 1;
-  const auto rows = static_cast<std::size_t>(std::ceil(extent.y())) + 1;
-  for (std::size_t row = 0; row < rows; ++row)
-    for (std::size_t column = 0; column < relief.columns; ++column)
-      relief.heights.push_back(sheet.heightAt(
-          relief.centre + spacing * Eigen::Vector2d(static_cast<double>(column),
-                                                    static_cast<double>(row))));
-  PlanSlab slab = sheet.facets.front();
-  slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
-  return slab;
 }
 
 } // namespace pcl::sedr

@@ -10,62 +10,85 @@
 
 namespace pcl::sedr {
 
+namespace {
+
+/** @brief Gives a slab heights over a box, `spacing` metres apart. */
+template <typename HeightAt>
 PlanSlab
-reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
+reliefOver(const Eigen::AlignedBox2d& box,
+           double spacing,
+           PlanSlab slab,
+           HeightAt heightAt)
 {
-  constexpr double deviation = 0.02;
-  constexpr std::size_t min_points = 6;
-  PlanSlab slab = fitPlane(points);
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& p : points)
-    box.extend(p.head<2>());
   SlabCurve relief;
   relief.kind = CurveKind::Relief;
   relief.spacing = spacing;
-  relief.centre = box.min() - Eigen::Vector2d::Constant(spacing);
+  relief.centre = box.min();
   const Eigen::Vector2d extent = box.sizes() / spacing;
-  relief.columns = static_cast<std::size_t>(extent.x()) + 4;
-  const auto rows = static_cast<std::size_t>(extent.y()) + 4;
-  relief.heights.assign(relief.columns * rows, 0);
-  std::vector<std::int32_t> known(relief.heights.size(), FacetSheet::none);
-  std::vector<std::vector<Eigen::Vector3d>> near(relief.heights.size());
-  for (const Eigen::Vector3d& p : points) {
-    const Eigen::Vector2d at = (p.head<2>() - relief.centre) / spacing;
-    for (const double y : {std::floor(at.y()), std::floor(at.y()) + 1})
-      for (const double x : {std::floor(at.x()), std::floor(at.x()) + 1})
-        near[static_cast<std::size_t>(y) * relief.columns + static_cast<std::size_t>(x)]
-            .push_back(p);
-  }
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    if (near[k].size() < min_points)
-      continue;
-    PlanSlab plane = fitPlane(near[k]);
-    refineShape(ShapeKind::Plane, near[k], deviation, plane);
-    const Eigen::Vector2d place =
-        relief.centre +
-        spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
-                                  static_cast<double>(k / relief.columns));
-    const auto [low, high] =
-        std::minmax_element(near[k].begin(), near[k].end(),
-                            [](const auto& a, const auto& b) { return a.z() < b.z(); });
-    relief.heights[k] = std::clamp(plane.heightAt(place), low->z(), high->z());
-    known[k] = static_cast<std::int32_t>(k);
-  }
-  SheetGrid grid;
-  grid.columns = static_cast<int>(relief.columns);
-  grid.rows = static_cast<int>(rows);
-  fillNearest(grid, known);
-  for (std::size_t k = 0; k < known.size() && known[k] >= 0; ++k)
-    relief.heights[k] = relief.heights[static_cast<std::size_t>(known[k])];
-  if (known.front() >= 0)
-    slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
+  relief.columns = static_cast<std::size_t>(std::ceil(extent.x())) + 1;
+  const auto rows = static_cast<std::size_t>(std::ceil(extent.y())) + 1;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < relief.columns; ++column)
+      relief.heights.push_back(heightAt(
+          relief.centre + spacing * Eigen::Vector2d(static_cast<double>(column),
+                                                    static_cast<double>(row))));
+  slab.curve = std::make_shared<const SlabCurve>(std::move(relief));
   return slab;
+}
+
+/** @brief The heights of some cells with points: at each place that of a plane through
+ * the points about the nearest cell, without outliers. */
+PlanSlab
+reliefOf(const FacetEvidence& evidence, const std::vector<std::size_t>& own)
+{
+  const CellPoints& cells = evidence.cells;
+  const SheetGrid& grid = cells.grid();
+  const double spacing = evidence.parameters.relief_spacing;
+  std::vector<std::int32_t> nearest(grid.count(), FacetSheet::none);
+  Eigen::AlignedBox2d box;
+  for (const std::size_t cell : own) {
+    nearest[cell] = static_cast<std::int32_t>(cell);
+    for (const double off : {-spacing, spacing})
+      box.extend(grid.centre(cell) + Eigen::Vector2d::Constant(off));
+  }
+  fillNearest(grid, nearest);
+  const int reach = std::max(1, static_cast<int>(spacing / grid.size));
+  const auto heightAt = [&](const Eigen::Vector2d& place) {
+    const auto middle = static_cast<std::size_t>(nearest[grid.nearest(place)]);
+    std::vector<std::size_t> near = cells.window(middle, reach);
+    near.erase(std::remove_if(near.begin(), near.end(),
+                              [&](std::size_t cell) {
+                                return nearest[cell] != static_cast<std::int32_t>(cell);
+                              }),
+               near.end());
+    const auto points = cells.pointsOf(near, cells.size());
+    PlanSlab plane = fitPlane(points);
+    refineShape(ShapeKind::Plane, points, evidence.deviation, plane);
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(),
+                            [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    return std::clamp(plane.heightAt(place), low->z(), high->z());
+  };
+  return reliefOver(box, spacing, fitPlane(cells.pointsOf(own, cells.size())),
+                    heightAt);
+}
+
+} // namespace
+
+PlanSlab
+reliefOf(const FacetSheet& sheet, double spacing)
+{
+  Eigen::AlignedBox2d box;
+  for (const int x : {0, sheet.grid.columns})
+    for (const int y : {0, sheet.grid.rows})
+      box.extend(sheet.grid.placeOf(x, y));
+  return reliefOver(box, spacing, sheet.facets.front(),
+                    [&](const Eigen::Vector2d& p) { return sheet.heightAt(p); });
 }
 
 void
 addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
 {
-  constexpr std::size_t max_points = 200000;
   const CellPoints& cells = evidence.cells;
   const SheetGrid& grid = cells.grid();
   const float outlier = evidence.outlier();
@@ -84,8 +107,7 @@ addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
     if (piece.size() < least && !(before == 0 && choice.facets.empty()))
       continue;
     FacetProposal facet;
-    facet.slab =
-        reliefOf(cells.pointsOf(piece, max_points), evidence.parameters.relief_spacing);
+    facet.slab = reliefOf(evidence, piece);
     FacetCosts costs = costsOf(facet.slab, evidence);
     // It is known where it was seen: elsewhere it explains nothing.
     std::vector<std::uint8_t> is_own(grid.count(), 0);

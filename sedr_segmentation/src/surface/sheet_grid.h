@@ -126,6 +126,14 @@ struct SheetGrid {
     return x >= reach && y >= reach && x + reach < columns && y + reach < rows;
   }
 
+  /** @brief Index of the cell nearest to a place. */
+  std::size_t nearest(const Eigen::Vector2d& p) const
+  {
+    const Eigen::Vector2i cell = cellsTo(p).array().floor().cast<int>();
+    return indexOf(std::clamp(cell.x(), 0, columns - 1),
+                   std::clamp(cell.y(), 0, rows - 1));
+  }
+
   /** @brief Index of the cell around a place; count() beside the grid. */
   std::size_t at(const Eigen::Vector2d& p) const
   {
