@@ -38,8 +38,8 @@ TEST_F(HorizontalPlaneDetectionTool, ListsAndLabelsCeilingAndFloorAndKeepsAllFie
 
 TEST_F(HorizontalPlaneDetectionTool, ForgetsRooms)
 {
-  EXPECT_EQ(runOn(HORIZONTAL_PLANE_DETECTION, scanOf().pcd(true), "output.pcd").exit_code,
-            0);
+  EXPECT_EQ(
+      runOn(HORIZONTAL_PLANE_DETECTION, scanOf().pcd(true), "output.pcd").exit_code, 0);
   EXPECT_EQ(loadCloud(in("output.pcd")).room[0], 0u);
 }
 

@@ -10,6 +10,8 @@ namespace pcl::sedr {
 
 namespace {
 
+constexpr int max_steps = 15;
+
 Eigen::Vector2d
 gradientOf(const PlanSlab& slab, const Eigen::Vector2d& p)
 {
@@ -33,7 +35,6 @@ BorderPart::sideOf(const Eigen::Vector2d& p) const
 std::optional<Eigen::Vector2d>
 BorderPart::project(const Eigen::Vector2d& from, double farthest) const
 {
-  constexpr int max_steps = 12;
   constexpr double exact = 1e-6;
   Eigen::Vector2d p = from;
   for (int step = 0; step < max_steps; ++step) {
@@ -57,7 +58,6 @@ crossing(const BorderPart& a,
          const Eigen::Vector2d& near,
          double farthest)
 {
-  constexpr int max_steps = 15;
   constexpr double min_angle = 0.15; // sine
   Eigen::Vector2d p = near;
   for (int step = 0; step < max_steps; ++step) {

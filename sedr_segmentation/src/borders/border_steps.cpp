@@ -2,6 +2,7 @@
 #include "border_steps.h"
 
 #include "../shapes/shape_fit.h"
+#include "../surface/riser_bins.h"
 
 #include "../curves/contour.h"
 #include "sedr_filters/src/base/middle_value.h"
@@ -106,12 +107,11 @@ BorderSteps::mayMeet(const Place& place, const CrackChain& chain) const
 bool
 BorderSteps::isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const
 {
-  constexpr double least = 0.03; // metres
   constexpr double deviations = 5;
   const PlanSlab& left = cracks_.facetOf(chain.left);
   const PlanSlab& right = cracks_.facetOf(chain.right);
   const double margin =
-      std::max(least, deviations * std::max(left.residual, right.residual));
+      std::max(RiserBins::margin, deviations * std::max(left.residual, right.residual));
   const double above_left = distanceOf(left, p);
   const double above_right = distanceOf(right, p);
   return std::min(above_left, above_right) < -margin &&
@@ -158,7 +158,7 @@ BorderSteps::profileAcross(const BorderPart& part,
                            const CrackChain& chain) const
 {
   const SheetGrid& grid = cracks_.sheet.grid;
-  Profile profile{-SheetCracks::riser_reach * grid.size};
+  Profile profile{-2 * SheetCracks::reach * grid.size};
   const auto bins = static_cast<std::size_t>(-2 * profile.rightmost / Profile::bin) + 1;
   const auto sums = {&profile.votes, &profile.risers, &profile.points, &profile.places,
                      &profile.lower};

@@ -14,7 +14,6 @@ namespace pcl::sedr {
  * refers to must outlive it. */
 struct SheetCracks {
   static constexpr double reach = 2.5; ///< cells that a label may be off, where seen
-  static constexpr double riser_reach = 5; ///< cells from it to the riser of a step
 
   const FacetSheet& sheet;
   const CellCracks& cracks;
@@ -38,8 +37,7 @@ struct SheetCracks {
   /** @brief How far from the vertex the border may lie, metres. */
   double reachAt(const CrackVertex& v) const
   {
-    constexpr double unseen_reach = 10; // cells
-    return cellSize() * (anyMarked(sheet.is_seen, v, 2) ? reach : unseen_reach);
+    return cellSize() * (anyMarked(sheet.is_seen, v, 2) ? reach : 4 * reach);
   }
 
 private:

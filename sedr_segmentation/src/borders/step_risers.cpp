@@ -28,7 +28,7 @@ heightsAbout(const FacetSheet& sheet, std::size_t cell)
   std::pair<double, double> heights(std::numeric_limits<double>::infinity(),
                                     -std::numeric_limits<double>::infinity());
   sheet.grid.forAllWithin(
-      cell, static_cast<int>(SheetCracks::riser_reach), [&](std::size_t near) {
+      cell, static_cast<int>(2 * SheetCracks::reach), [&](std::size_t near) {
         if (sheet.label[near] == last)
           return;
         last = sheet.label[near];

@@ -145,7 +145,6 @@ private:
   {
     constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
-    constexpr double min_tread = 0.25;       // square metres
     const bool is_no_furniture =             // larger, or below the floor
         piece.area > priors_.max_furniture_area || piece.above_main < 0;
     const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
@@ -169,7 +168,8 @@ private:
     }
     // A group of desks is as large as a stage, and its sides are not all closed.
     const double min_closed = is_low ? priors_.share_closed : 0.9;
-    const double least = is_below_floor ? min_tread : priors_.min_platform_area;
+    const double least =
+        is_below_floor ? SheetParameters().min_closed_area : priors_.min_platform_area;
     return piece.area >= least && is_reached && closed >= min_closed * piece.rim &&
            (is_no_furniture || held >= priors_.share_little * piece.rim);
   }

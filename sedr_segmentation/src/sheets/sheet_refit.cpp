@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../surface/cell_points.h"
+#include "../surface/riser_bins.h"
 #include "shape_proposals.h"
 
 #include "sedr_filters/src/base/middle_value.h"
@@ -63,7 +64,7 @@ forAllNear(const FacetSheet& sheet,
            const std::vector<int>& indices,
            Use use)
 {
-  const double band = std::max(0.03, 5 * sheet.noise);
+  const double band = std::max(RiserBins::margin, 5 * sheet.noise);
   forAllOver(sheet.grid, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
                if (!is_within[cell])

@@ -40,7 +40,6 @@ RiserBins::RiserBins(const SheetGrid& grid,
 double
 RiserBins::share(std::size_t cell, std::size_t next, double low, double high) const
 {
-  constexpr double margin = 0.03; // metres: noise of the surfaces
   if (high - low < min_step)
     return 0;
   const double middle = std::floor(((low + high) / 2 - bottom_) / bin_);

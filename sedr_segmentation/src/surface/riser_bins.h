@@ -17,6 +17,7 @@ class RiserBins {
 public:
   static constexpr double min_step = 0.1; ///< metres: lower steps have no bin of
                                           ///< their own
+  static constexpr double margin = 0.03;  ///< metres: noise of the surfaces
   static constexpr int to_wall = 2;       ///< cells beside which points may be a wall's
 
   /** @param domain cells of the room: points in those at its rim are of walls, and no
