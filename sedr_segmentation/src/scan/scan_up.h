@@ -16,31 +16,31 @@ namespace pcl::sedr {
 /** @brief Evidence that another direction than z is up, or that the scan is inclined.
  */
 struct UpDoubt {
-  static constexpr double doubtful = 2; ///< nats; of right scans none reached it
-  static constexpr double certain = 4;
+  static constexpr double doubtful = 1.3;            ///< nats; few right scans reach it
+  static constexpr double certain = 5;               ///< no right scan reaches it
   static constexpr double max_tilt = 3 * M_PI / 180; ///< of a level scan, radians
 
-  double nats = 0;    ///< log-likelihood of that axis, or end of z, less that of z
+  double nats = 0;    ///< log-likelihood of that direction less that of z
   std::string reason; ///< a sentence with the rotation that mends it; empty if none
   ScanTilt tilt;      ///< of the scan; certain above `max_tilt`
-  bool is_in_feet = false; ///< as the air along the axes is likelier
+  bool is_in_feet = false; ///< as the air along the likeliest direction is
 
   bool isDoubtful() const { return nats > doubtful; }
   bool isCertain() const { return nats > certain; }
 };
 
 /** @brief Returns which of six directions, along the axes of the scan or of its
- * inclination, is most likely up, if it is not z: first the axis, then its end.
+ * inclination, is most likely up, in metres or in feet, if it is not z.
  *
  * The air along an axis, 1.2 to 12 m of it in columns of 0.1 m, ends at two surfaces.
  * Those across the true axis lie at few heights (each nat of the entropy of heights
  * counts one, storey by storey), in large pieces without steps of 0.2 m (log-odds of
- * the share of pieces of at least 2 square metres), and about 2.8 m apart. Of the two,
- * floors have things on them: small pieces that stand out into the air. Floors go on
- * through doors, while walls and lintels part ceilings. Smooth relief that things do
- * not explain, such as slopes, vaults and ribs, is that of a ceiling. Lengths are taken
- * for feet where that is more likely, unless the unit is known. An inclined scan is
- * certain, see tiltOf(). For thinned points; O(n log n).
+ * the share of pieces of at least 2 square metres), about 2.8 m apart, and show most of
+ * the air. Of the two, floors have things on them: small pieces that stand out into the
+ * air. Floors go on through doors, while walls and lintels part ceilings. Smooth relief
+ * that things do not explain, such as slopes, vaults and ribs, is that of a ceiling.
+ * None of these is certain. Feet are tried as well, unless the unit is known. An
+ * inclined scan is certain, see tiltOf(). For thinned points; O(n log n).
  * @param threads 0: all processors; the result does not depend on it */
 UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<int>& indices,
