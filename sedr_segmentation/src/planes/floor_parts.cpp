@@ -149,13 +149,13 @@ private:
         piece.area > priors_.max_furniture_area || piece.above_main < 0;
     const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
     const bool may_be_stage = is_no_furniture && piece.upright >= priors_.share_half;
-    if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest) ||
-        !(is_low || may_be_stage))
+    if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest))
       return false;
     double closed = piece.walls;
     double held = piece.walls; // by what furniture has not beside it
     bool is_reached = is_no_furniture;
     bool is_below_floor = false;
+    bool goes_on = false; // without a step, as a landing of a ramp
     for (const auto& [other, border] : piece.borders) {
       const double rise = border.rise / border.length;
       const bool is_step = std::abs(rise) <= priors_.max_step_height;
@@ -164,13 +164,15 @@ private:
       if (is_known || (rise > priors_.min_floor_step && is_step))
         held += rise > -priors_.min_floor_step ? border.length : 0;
       is_reached = is_reached || (is_known && is_step);
+      goes_on = goes_on || (is_known && std::abs(rise) < priors_.min_floor_step);
       is_below_floor = is_below_floor || (is_known && rise > priors_.min_floor_step);
     }
     // A group of desks is as large as a stage, and its sides are not all closed.
     const double min_closed = is_low ? priors_.share_closed : 0.9;
     const double least =
         is_below_floor ? SheetParameters().min_closed_area : priors_.min_platform_area;
-    return piece.area >= least && is_reached && closed >= min_closed * piece.rim &&
+    return (is_low || may_be_stage || goes_on) && piece.area >= least && is_reached &&
+           closed >= min_closed * piece.rim &&
            (is_no_furniture || held >= priors_.share_little * piece.rim);
   }
 

@@ -38,10 +38,10 @@ roomWith(const FloorShape& shape)
 
 /** Returns a strip that rises along x from the floor at 2.01. */
 PlanDetail
-ramp(double degrees)
+ramp(double degrees, double end = 5.01)
 {
   const double slope = std::tan(degrees * M_PI / 180);
-  PlanDetail part = detailOf(rectangle(2.01, 4.51, 5.01, 6.01), 0);
+  PlanDetail part = detailOf(rectangle(2.01, 4.51, end, 6.01), 0);
   part.slab = slabAt(-2.01 * slope, slope);
   return part;
 }
@@ -49,7 +49,8 @@ ramp(double degrees)
 PlanDetail
 platformAfter(const PlanDetail& ramp)
 {
-  return detailOf(rectangle(5.01, 4.51, 8.01, 6.01), ramp.slab.heightAt({5.01, 5}));
+  const double end = ramp.boundary.elements[0].end.x();
+  return detailOf(rectangle(end, 4.51, 8.01, 6.01), ramp.slab.heightAt({end, 5}));
 }
 
 class FloorShapes : public testing::TestWithParam<FloorShape> {};
@@ -96,6 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
         FloorShape{"small pit", {detailOf(rectangle(2.01, 1.01, 4.01, 2.21), -1)}},
         FloorShape{"ramp of 6 degrees", {ramp(6), platformAfter(ramp(6))}},
         FloorShape{"ramp of 10 degrees", {ramp(10), platformAfter(ramp(10))}},
+        FloorShape{"ramp with a landing",
+                   {ramp(10, 6.41), platformAfter(ramp(10, 6.41))}},
         FloorShape{"sloping hall", {}, std::tan(5 * M_PI / 180)}));
 
 /** Things of one height on the floor, with the floor hidden in a part. */
