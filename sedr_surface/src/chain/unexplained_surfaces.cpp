@@ -93,7 +93,7 @@ addSlab(const RoomLookup& model,
                         found.middle});
 }
 
-/** @brief Tells of what is too small for a room, or was measured so, beyond a door. */
+/** @brief Tells of what is beyond a door and no room: too small, or hardly seen. */
 void
 addLeftOut(const Building& building,
            const Floorplan& plan,
@@ -110,7 +110,9 @@ addLeftOut(const Building& building,
                  ((opening.start + opening.end) / 2 - thing.at).norm() <
                      std::sqrt(thing.area) + reach;
         });
-    if (thing.kind == LeftOutKind::Low && is_beyond_door && thing.area >= worth_telling)
+    const bool may_be_one =
+        thing.kind == LeftOutKind::Low || thing.kind == LeftOutKind::Open;
+    if (may_be_one && is_beyond_door && thing.area >= worth_telling)
       warnings.push_back(
           {WarningKind::LeftOut, {thing.area}, 0, 0, thing.reason, thing.at});
   }
