@@ -79,7 +79,7 @@ roomBehind(const Floorplan& plan, const PlanOpening& opening, double depth)
 }
 
 /** @brief Returns how deep the jambs and the head of an opening were seen behind the
- * face, metres; the depth of the map where they were not. */
+ * face, metres, at least a thin wall; the depth of the map where they were not. */
 double
 revealDepth(const WallMap& map, const WallRectangle& at)
 {
@@ -99,7 +99,7 @@ revealDepth(const WallMap& map, const WallRectangle& at)
       depths.begin() +
       static_cast<std::ptrdiff_t>(share * static_cast<double>(depths.size() - 1));
   std::nth_element(depths.begin(), deep, depths.end());
-  return std::min(*deep / share, map.depth());
+  return std::min(std::max(*deep / share, opening_numbers.usual_wall), map.depth());
 }
 
 /** @brief Adds the wall of a side; none of a column. */
@@ -295,12 +295,13 @@ private:
     const Eigen::Vector2d place = side.line.pointAt((at.from + at.to) / 2);
     PlanOpening& o = candidate.opening;
     addWall(plan_, side, o);
-    o.depth = revealDepth(map, at);
     if (is_paired) {
       const WallSide& other = search_.sides[candidate.behind];
       addWall(plan_, other, o);
       o.depth = -other.offset(place);
     }
+    else
+      o.depth = revealDepth(map, at);
     const auto onMiddleLine = [&](double s) {
       s = std::clamp(s, 0.0, side.line.length());
       return Eigen::Vector2d(side.line.pointAt(s) -
@@ -316,7 +317,7 @@ private:
                                    at.bottom + 0.1, at.top - 0.1);
     o.rooms[0] = room.id;
     o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id
-                           : roomBehind(plan_, o, o.depth / 2 + 0.3);
+                           : roomBehind(plan_, o, map.depth() - o.depth / 2 + 0.3);
     const double floor = highestFloor(plan_, o);
     const double step =
         std::max(sizes_.on_floor, 1.2 * map.cell()); // rows hold the floor's points

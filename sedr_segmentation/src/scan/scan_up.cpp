@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace pcl::sedr {
@@ -103,9 +104,10 @@ public:
     });
   }
 
-  /** @brief Returns the likelier end of an axis, in the likelier unit; none if there is
-   * little air along it. */
-  Direction along(std::size_t axis, const Priors& priors) const
+  /** @brief Returns the likelier of some ends of an axis, in the likelier unit; none if
+   * there is little air along it. */
+  Direction
+  along(std::size_t axis, std::initializer_list<int> signs, const Priors& priors) const
   {
     Direction best;
     best.axis = axis;
@@ -114,13 +116,13 @@ public:
       if (air.area < 4 * priors.min_slab_area)
         continue;
       const double unit = in_feet ? foot * foot : 1;
-      // One scan in four is in feet; those that lie do so on one of four sides.
+      // Prior odds: metres 3 to feet 1; z 2 to x 1 to y 1; both ends alike.
       const double rarity = (in_feet ? 3 : 1) * (axis == 2 ? 1 : 2);
       const double share = air.area / unit / mostAir() / priors.share_most;
       const double nats =
           likelihoodOfAxis(air, std::min(1.0, share)) - std::log(rarity);
       const double ceiling = evidenceOfCeiling(air);
-      for (const int sign : {1, -1})
+      for (const int sign : signs)
         best = std::max(
             best, {axis, sign, in_feet, nats - std::log1p(std::exp(-sign * ceiling))});
     }
@@ -190,16 +192,14 @@ doubtOfUp(const PointView& points,
   };
   std::array<Direction, 3> ends; // the likelier ones
   for (std::size_t axis = 0; axis < 3; ++axis)
-    ends[axis] = air.along(axis, priors);
-  const Direction end_of_z = ends[2];
-  const double nats_of_z =
-      end_of_z.nats - (end_of_z.sign < 0 ? air.signNats(end_of_z) : 0);
+    ends[axis] = air.along(axis, {1, -1}, priors);
+  const Direction upright = air.along(2, {1}, priors);
   std::stable_sort(ends.rbegin(), ends.rend());
   Direction best = ends[0];
-  if (std::isfinite(nats_of_z))
-    doubt.nats = best.nats - nats_of_z;
+  if (std::isfinite(upright.nats))
+    doubt.nats = best.nats - upright.nats;
   if (!doubt.isDoubtful())
-    best = {2, 1, end_of_z.is_in_feet, nats_of_z};
+    best = upright;
   doubt.is_in_feet = best.is_in_feet;
   const Eigen::Vector3d up = upOf(best);
   if (doubt.isDoubtful())
@@ -217,7 +217,7 @@ doubtOfUp(const PointView& points,
     doubt.reason += formatText(" (or by %.5g if it is upside down then)",
                                std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
   for (const Direction& rival : ends)
-    if (rival.axis != best.axis && rival.axis != 2 &&
+    if (doubt.isDoubtful() && rival.axis != best.axis && rival.axis != 2 &&
         rival.nats > best.nats - UpDoubt::doubtful)
       doubt.reason += " (or, about as likely, by " + rotationFrom(upOf(rival)) +
                       " if " + nameOf(upOf(rival), priors) + " is up)";

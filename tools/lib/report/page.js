@@ -242,7 +242,7 @@
       section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'], between,
         ['walls', door => (door.walls || []).map(wall => wall.room + '.' + (wall.element + 1)).join(', ')],
         ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')], ...size,
-        ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2) + (door.rooms.includes(0) ? ' assumed' : '')],
+        ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2) + (door.rooms.includes(0) ? ' at least' : '')],
         ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
         ['probability of kind', door => percent(door.confidence)], ['residual of edges, cm', door => number(100 * door.residual, 1)]], found));
     else
