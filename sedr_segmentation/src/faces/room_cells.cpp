@@ -166,8 +166,8 @@ gatherWalls(const PointView& points,
   const auto maySlope = [&](std::size_t at) {
     return depths[at] > near[at] * p.rim / 2 && high[at] - low[at] < 2 * p.bin;
   };
-  // A lintel goes down from where a level ceiling ends and a lower one begins: of the
-  // ceiling around it a third is at its top, of one that slopes a row of cells.
+  // A low lintel goes down from where a level ceiling ends and a lower one begins: of
+  // the ceiling around it a third is at its top, of one that slopes a row of cells.
   std::vector<float> is_at_top(count, 0);
   for (std::size_t at = 0; at < count; ++at)
     is_at_top[at] = is_own[at] > 0 && high[at] > cells.top[at] - p.rim / 3 ? 1 : 0;
@@ -175,7 +175,7 @@ gatherWalls(const PointView& points,
   std::vector<Eigen::Vector3d> sums(count, Eigen::Vector3d::Zero()); // of surfaces
   std::vector<float> beside = high;
   spread(cells.seen, 1, std::greater<>(), beside);
-  const auto isLintel = [&](std::size_t at, double z) {
+  const auto isLowLintel = [&](std::size_t at, double z) {
     const double top = cells.top[at];
     return beside[at] > top - p.rim / 3 && at_top[at] > near[at] / 3 &&
            cells.low[at] < top - std::max(p.below, grid.size()) &&
@@ -186,7 +186,7 @@ gatherWalls(const PointView& points,
     forEachIn(
         cells.seen, grid, points, indices,
         [&](std::size_t at, const Eigen::Vector3f& q) {
-          if (isLintel(at, q.z()))
+          if (isLowLintel(at, q.z()))
             sums[at] += q.head<2>().homogeneous().cast<double>();
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
@@ -245,11 +245,11 @@ gatherWalls(const PointView& points,
   const CellMask near_solid = dilated(cells.solid, 1);
   const CellMask near_base = dilated(cells.base, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
-  std::vector<std::uint8_t> is_wanting(count); // its centre is that of all its points
+  std::vector<std::uint8_t> takes_all_points(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!cells.riser.values()[i])
       sums[i].setZero();
-    is_wanting[i] =
+    takes_all_points[i] =
         cells.solid.values()[i] || (cells.riser.values()[i] && !(sums[i].z() > 0));
   }
   for (const Place& place : places) {
@@ -258,7 +258,7 @@ gatherWalls(const PointView& points,
     if (place.is_top ? place.is_wall || near_solid.values()[place.cell]
                      : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);
-    if (place.is_top && is_wanting[place.cell])
+    if (place.is_top && takes_all_points[place.cell])
       sums[place.cell] += place.at.homogeneous();
   }
   for (std::size_t i = 0; i < count; ++i) {

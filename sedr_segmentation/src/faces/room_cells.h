@@ -35,7 +35,7 @@ struct RoomCells {
   std::vector<float> low; ///< of the lowest ceiling near it
   CellMask solid;         ///< cells in which a surface reaches up to the ceiling
   CellMask glass;         ///< those of them that return few rays
-  CellMask riser;         ///< cells of lintels: a ceiling ends, a lower one begins
+  CellMask riser;         ///< cells of lintels: a surface ends at a lower ceiling
   CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
   CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces

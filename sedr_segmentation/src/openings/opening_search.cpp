@@ -86,7 +86,7 @@ revealDepth(const WallMap& map, const WallRectangle& at)
   const double reach = opening_numbers.on_face;
   std::vector<double> depths;
   for (const SidePoint& p : map.points())
-    if (p.offset < -map.tolerance() && p.along > at.from - reach &&
+    if (p.offset < -2 * map.tolerance() && p.along > at.from - reach &&
         p.along < at.to + reach && p.height > at.bottom + reach &&
         p.height < at.top + reach &&
         (p.along < at.from + reach || p.along > at.to - reach ||

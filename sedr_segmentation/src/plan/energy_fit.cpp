@@ -5,6 +5,7 @@
 #include "../loops/loop_assembly.h"
 #include "../niches/niche_fit.h"
 #include "../regions/storey_regions.h"
+#include "../sheets/sheet_relief.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 

@@ -94,7 +94,4 @@ forAllOver(const SheetGrid& grid,
   }
 }
 
-/** @brief The heights of a sheet as a slab, of `spacing` metres or more. */
-PlanSlab reliefOf(const FacetSheet& sheet, double spacing);
-
 } // namespace pcl::sedr

@@ -2,7 +2,6 @@
 #include "sheet_relief.h"
 
 #include "../surface/cell_pieces.h"
-#include "sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

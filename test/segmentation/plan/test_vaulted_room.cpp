@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
 #include "sedr_segmentation/src/plan/room_ceilings.h"
+#include "sedr_segmentation/src/sheets/sheet_relief.h"
 
 #include <cmath>
 

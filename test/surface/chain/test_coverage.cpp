@@ -358,11 +358,14 @@ TEST(UnexplainedSurfaces, AreClosetsBeyondADoor)
   plan.openings[0].top = 2;
   Building building = buildingOfTwoRooms();
   building.left_out = {{LeftOutKind::Low, "small", 0.8, 0, 2.5, {4.6, 1.4}},
+                       {LeftOutKind::Open, "a lift", 2.5, 0, 2.5, {5.2, 1.4}},
+                       {LeftOutKind::Void, "a slab", 0.8, 0, 2.5, {4.6, 1.4}},
                        {LeftOutKind::Low, "far", 0.8, 0, 2.5, {9, 1.4}}};
   const auto found = unexplainedSurfaces(PointView(Cloud()), building, plan);
-  ASSERT_EQ(found.size(), 1u);
+  ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].kind, WarningKind::LeftOut);
   EXPECT_EQ(found[0].reason, "small");
+  EXPECT_EQ(found[1].reason, "a lift");
 }
 
 } // namespace

@@ -36,7 +36,8 @@ struct PlanOpening {
   double bottom = 0;
   double top = 0;   ///< of an arched head: its highest point
   double rise = 0;  ///< of an arched head; 0: it is flat
-  double depth = 0; ///< of the reveals: of a wall with two faces its thickness
+  double depth = 0; ///< of a wall with two faces its thickness, else of the
+                    ///< reveals as far as they were seen, 0.1 to 0.3 m, or 0.3 m
   OpeningHinge hinge = OpeningHinge::Unknown;
   std::uint32_t swing = 0; ///< the one of `rooms` it opens into, if the hinge is known
   OpeningState state = OpeningState::Unknown;
