@@ -245,20 +245,19 @@ gatherWalls(const PointView& points,
   const CellMask near_solid = dilated(cells.solid, 1);
   const CellMask near_base = dilated(cells.base, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
-  std::vector<std::uint8_t> takes_all_points(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!cells.riser.values()[i])
+  const auto isTall = [&](std::size_t i) {
+    return cells.solid.values()[i] || (cells.riser.values()[i] && !is_low[i]);
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    if (!cells.riser.values()[i] || isTall(i))
       sums[i].setZero();
-    takes_all_points[i] =
-        cells.solid.values()[i] || (cells.riser.values()[i] && !(sums[i].z() > 0));
-  }
   for (const Place& place : places) {
     if (endsBelow(place.cell))
       continue;
     if (place.is_top ? place.is_wall || near_solid.values()[place.cell]
                      : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);
-    if (place.is_top && takes_all_points[place.cell])
+    if (place.is_top && isTall(place.cell))
       sums[place.cell] += place.at.homogeneous();
   }
   for (std::size_t i = 0; i < count; ++i) {
