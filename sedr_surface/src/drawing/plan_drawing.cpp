@@ -16,7 +16,6 @@ namespace {
 using namespace sheet_measures;
 
 constexpr double row_height = title_height / 3;
-constexpr double caption_font = 1.8;
 constexpr double indent = 1.5;     ///< of texts within their cell
 constexpr double north_width = 20; ///< of the cell with the arrow
 constexpr SheetColour grey = 0x777777;
@@ -127,7 +126,7 @@ public:
     const Eigen::Vector2d corner = cornerOf(row, from);
     const double width = (to - from) * width_;
     sheet_.addBox(looks::cell, {corner, corner + Eigen::Vector2d(width, row_height)});
-    addText(grey, corner + Eigen::Vector2d(indent, row_height - 1.9), caption_font,
+    addText(grey, corner + Eigen::Vector2d(indent, row_height - 1.9), smallest_font,
             caption, width);
     addText(ink, corner + Eigen::Vector2d(indent, 3), font, text, width);
   }
@@ -147,7 +146,7 @@ public:
                      start + Eigen::Vector2d((k + 1) * part, 1.3)});
     for (int k = 0; k <= 4; k += 2)
       sheet_.add(SheetText{0x444444, start + Eigen::Vector2d(k * part, 3.6),
-                           caption_font,
+                           smallest_font,
                            shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : "")});
   }
 

@@ -80,8 +80,9 @@ styleOf(PlanLayer layer)
   return layer_styles[static_cast<std::size_t>(layer)];
 }
 
-/** @brief Font sizes, millimetres: letters 1.8 and 2.5 mm high, as usual in ISO 3098.
- */
+/** @brief Font sizes, millimetres; the letters of the larger ones are 1.8 and 2.5 mm
+ * high, as usual in ISO 3098. */
+constexpr double smallest_font = 1.8;
 constexpr double small_font = 2.5;
 constexpr double large_font = 3.5;
 

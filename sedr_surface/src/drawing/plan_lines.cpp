@@ -5,6 +5,7 @@
 #include "sedr_filters/src/walls/plan_walls.h"
 
 #include "sedr_filters/src/plan/plan_segment.h"
+#include "text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
@@ -112,7 +113,36 @@ public:
     }
   }
 
+  /** @brief Adds an arrow up each slope of the floor, with its share as note. */
+  void addSlopes()
+  {
+    std::vector<PlanLoop> others = room_.columns;
+    for (auto detail = room_.floor_details.rbegin();
+         detail != room_.floor_details.rend(); ++detail) { // later ones hold
+      std::vector<PlanLoop> off = others;
+      off.insert(off.end(), detail->holes.begin(), detail->holes.end());
+      addSlope(detail->slab, textSpotIn(detail->boundary, off));
+      others.push_back(detail->boundary);
+    }
+    addSlope(room_.floor, textSpotIn(room_.boundary, others));
+  }
+
 private:
+  void addSlope(const PlanSlab& slab, const TextSpot& spot)
+  {
+    constexpr double least = 0.01; // of a slope
+    const Eigen::Vector3d normal = slab.normalAt(spot.place);
+    const Eigen::Vector2d up = -normal.head<2>() / normal.z();
+    if (up.norm() < least || !room_.contains(spot.place))
+      return;
+    const Eigen::Vector2d half = 0.8 * spot.radius * up.normalized();
+    add(segment(spot.place - half, spot.place + half), PlanLayer::Floor,
+        shortDecimalText(100 * up.norm(), 1) + " %");
+    for (const PlanElement& side :
+         arrowHead(spot.place - half, spot.place + half))
+      add(side, PlanLayer::Floor);
+  }
+
   const PlanRoom& room_;
   std::vector<PlanLine>& lines_;
   std::vector<PlanLoop> stairs_; ///< that lead up from it
@@ -211,6 +241,7 @@ planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
     }
     for (const PlanNiche& niche : room.niches)
       lines.addOffWalls(niche.boundary, PlanLayer::Niche, false);
+    lines.addSlopes();
     lines.addHeadroom();
     lines.addHeads();
   }

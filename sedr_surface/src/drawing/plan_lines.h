@@ -27,7 +27,8 @@ std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
 
 /** @brief Returns all lines and arcs of a plan. Edges of floor details and niches on a
  * wall or column are not repeated, nor is drawn what of them is outside of the room, or
- * of the ceiling where it is the underside of a stair.
+ * of the ceiling where it is the underside of a stair. An arrow leads up each slope of
+ * the floor, with its share as note.
  * The head of a tilted wall has its tilt as note.
  * @param ceilings from ceilingsOf() */
 std::vector<PlanLine> planLines(const Floorplan& plan,
@@ -66,6 +67,10 @@ std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);
  * the hole of a wall that surrounds a room.
  * @param max_wall maximum thickness, metres */
 std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan, double max_wall);
+
+/** @brief Returns both sides of the head of an arrow, metres. */
+std::array<PlanElement, 2> arrowHead(const Eigen::Vector2d& from,
+                                     const Eigen::Vector2d& tip);
 
 /** @brief Returns the convex outline of a stair's flights in plan. */
 PlanLoop stairwellOf(const PlanStair& stair);

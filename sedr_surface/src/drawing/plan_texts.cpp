@@ -17,7 +17,6 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double smallest_font = 1.8;
 constexpr double detail_font = 2.1; ///< of columns and doorways
 
 PlanLoop
@@ -353,8 +352,9 @@ placedTexts(const Floorplan& plan,
       writer.writeLevel(room, room.floor_details, d, room_texts[r], PlanLayer::Floor);
   }
   for (const PlanLine& line : lines)
-    writer.writeAlong(line.layer == PlanLayer::Headroom ? PlanLayer::Headroom
-                                                        : PlanLayer::Height,
+    writer.writeAlong(line.layer == PlanLayer::Headroom || line.layer == PlanLayer::Floor
+                          ? line.layer
+                          : PlanLayer::Height,
                       line.element, line.note);
   for (const PlanRoom& room : plan.rooms) {
     for (const PlanElement& wall : room.boundary.elements)

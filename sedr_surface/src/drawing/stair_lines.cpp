@@ -41,7 +41,6 @@ struct ShownFlight {
    * at its foot to an arrow. It ends in two break lines where the plan cuts it. */
   std::vector<PlanElement> linesFrom(std::size_t first) const
   {
-    constexpr double head = 0.15; // of the arrow, metres
     const auto& risers = flight->risers;
     const std::size_t last = below - 1;
     std::vector<PlanElement> found;
@@ -61,13 +60,10 @@ struct ShownFlight {
       found.back().centre = flight->middle(0);
       found.back().radius = dot;
     }
-    if (last > first) {
-      const Eigen::Vector2d way =
-          head * (flight->middle(last) - flight->middle(last - 1)).normalized();
-      const Eigen::Vector2d left(-way.y() / 2, way.x() / 2);
-      add(flight->middle(last) - way + left, flight->middle(last));
-      add(flight->middle(last), flight->middle(last) - way - left);
-    }
+    if (last > first)
+      for (const PlanElement& side :
+           arrowHead(flight->middle(last - 1), flight->middle(last)))
+        found.push_back(side);
     if (!isCut())
       return found;
     const auto along = [&](std::size_t side, double up) -> Eigen::Vector2d {
@@ -82,6 +78,15 @@ struct ShownFlight {
 };
 
 } // namespace
+
+std::array<PlanElement, 2>
+arrowHead(const Eigen::Vector2d& from, const Eigen::Vector2d& tip)
+{
+  constexpr double length = 0.15; // metres
+  const Eigen::Vector2d way = length * (tip - from).normalized();
+  const Eigen::Vector2d left(-way.y() / 2, way.x() / 2);
+  return {segment(tip - way + left, tip), segment(tip, tip - way - left)};
+}
 
 PlanLoop
 stairwellOf(const PlanStair& stair)

@@ -243,6 +243,24 @@ TEST(FloorplanDrawing, TextsTellSizesAndHeights)
   EXPECT_FALSE(holds(svg, ">2.10<"));
 }
 
+TEST(FloorplanDrawing, AnArrowLeadsUpASlopeOfTheFloor)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  PlanDetail ramp = detailOf(rectangle(5, 2, 8, 4), 0);
+  ramp.slab = slabAt(0.4, -0.08); // down along x to 0.16 m less
+  plan.rooms[0].floor_details = {ramp};
+  const std::string note = "8 %";
+  const auto lines = planLines(plan, ceilingsOf(plan, 0.01));
+  const auto arrow = std::find_if(lines.begin(), lines.end(),
+                                  [&](const PlanLine& l) { return l.note == note; });
+  ASSERT_NE(arrow, lines.end());
+  const Eigen::Vector2d way = arrow->element.end - arrow->element.start;
+  EXPECT_LT(way.x(), -1);
+  EXPECT_NEAR(way.y(), 0, 1e-9);
+  EXPECT_TRUE(ramp.contains(arrow->element.start) && ramp.contains(arrow->element.end));
+  EXPECT_TRUE(holds(floorplanToSvg(plan), ">" + note + "<"));
+}
+
 TEST(FloorplanDrawing, TextsWithoutSpaceAreLeftOut)
 {
   const std::string closet =
