@@ -31,8 +31,7 @@ constexpr std::array<Words, 39> words{{
     {"up", "", "", "{reason}"},
     {"lost_points", "", "", "{0.0} % of the points are not finite: they were left out"},
     {"strays", "", "",
-     "single points are scattered all over the air of the scan: voxels of fewer than "
-     "{0.0} points were left out"},
+     "{0.1} % of the points are scattered all over the air: they were left out"},
     {"positions", "", "",
      "{0.0} of {1.0} positions of the scanner are not where the points were taken "
      "from: they lie on a surface, or rays from there go through walls that were seen; "

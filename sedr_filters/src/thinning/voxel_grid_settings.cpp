@@ -216,7 +216,7 @@ VoxelGridSettings::thin(const RowSource& source,
                         pcl::Indices* removed)
 {
   using Piece = RowSource::Piece;
-  stray_limit_ = 0;
+  strays_ = 0;
   const std::string problem = problemOf(source, indices);
   if (!problem.empty())
     return problem;
@@ -228,8 +228,8 @@ VoxelGridSettings::thin(const RowSource& source,
     return true;
   });
   if (removes_strays_)
-    stray_limit_ = sums.strayLimit();
-  const std::size_t size = sums.arrange(std::max(min_points_per_voxel_, stray_limit_));
+    strays_ = sums.dropStrays(threads_);
+  const std::size_t size = sums.arrange(min_points_per_voxel_);
   std::uint8_t* const rows = output.make(size);
   writePlaces(sums, output.fields, output.row_size, rows, threads_);
 

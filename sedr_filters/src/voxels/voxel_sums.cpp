@@ -12,120 +12,126 @@
 #include <mutex>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
 
-constexpr double cube_volume = 64; // voxels
+constexpr int cube_bits = 2; // cubes of 4 x 4 x 4 voxels
 constexpr std::size_t max_counted = 4096;
+constexpr std::size_t voxels_a_block = 4096;
+
+/** @brief How many there are of 0, 1, 2, ... points. */
+using Counts = std::array<std::size_t, max_counted + 1>;
 
 /** @brief Returns the number of cubes from one up to the next in the same profile; 0 if
  * they are in two profiles, or 64 cubes apart (13 m at 5 cm): that is no room. */
-double
+std::size_t
 stepUp(const VoxelSum& from, const VoxelSum& to)
 {
-  constexpr double highest_room = 64;
-  if (from.code[0] != to.code[0] || from.code[1] != to.code[1])
-    return 0;
-  const double step = static_cast<double>(to.code[2]) - from.code[2];
-  return step > highest_room ? 0 : step;
+  constexpr std::int64_t highest_room = 64;
+  const std::int64_t step = std::int64_t{to.code[2]} - from.code[2];
+  return from.code[0] != to.code[0] || from.code[1] != to.code[1] || step > highest_room
+             ? 0
+             : static_cast<std::size_t>(step);
 }
 
-/** @brief Estimates how many points distinguish a voxel on a surface from one with
- * points scattered in the air.
+VoxelCode
+cubeOf(const VoxelCode& voxel)
+{
+  return {voxel[0] >> cube_bits, voxel[1] >> cube_bits, voxel[2] >> cube_bits};
+}
+
+/** @brief Returns how many cubes between the lowest and the highest of their profile
+ * hold 0, 1, 2, ... points, and drops the others. O(n log n) for n cubes. */
+Counts
+keepBetween(VoxelTable& table)
+{
+  std::vector<VoxelSum> cubes; // by profile, from below
+  for (std::size_t c = 0; c < table.size(); ++c)
+    cubes.push_back(table[c]);
+  std::sort(cubes.begin(), cubes.end(),
+            [](const VoxelSum& a, const VoxelSum& b) { return a.code < b.code; });
+  Counts counts{};
+  std::size_t below = 0; // cubes from the previous one of the profile to this one
+  for (std::size_t c = 0; c < cubes.size(); ++c) {
+    const std::size_t above = c + 1 < cubes.size() ? stepUp(cubes[c], cubes[c + 1]) : 0;
+    counts[0] += std::max<std::size_t>(below, 1) - 1;
+    if (below > 0 && above > 0)
+      ++counts[std::min<std::size_t>(cubes[c].count, max_counted)];
+    else
+      table.drop(static_cast<std::size_t>(table.numberOf(cubes[c].code)));
+    below = above;
+  }
+  return counts;
+}
+
+} // namespace
+
+/** @brief Points scattered evenly in the air: a Poisson process.
  *
- * A single stray occupies a voxel as a thousand points of a wall do. In a dense scan,
- * one stray in a hundred points is enough to fill a tenth of a room's voxels. Most of
- * the space between floor and ceiling is air. So the cubes of 4 x 4 x 4 voxels between
- * a lower and a higher cube of their profile hold strays, if most of them hold points.
- */
-class VoxelCensus {
+ * Most of the space between the lowest and the highest points of a profile is air. So
+ * the counts of the cubes there with the fewest points, a fifth or those of at most one
+ * point, are those of strays. */
+class VoxelSums::StrayPoints {
 public:
-  /** @brief Counts a voxel. */
-  void add(const VoxelCode& voxel, std::uint32_t points)
+  /** @param cubes the sums of all cubes of voxels */
+  explicit StrayPoints(VoxelTable cubes)
+      : cubes_(std::move(cubes))
   {
-    constexpr unsigned edge_bits = 2;
-    // Saturated: the cubes of the air hold few points, the others do not matter.
-    constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max() / 64;
-    if (points == 0)
-      return;
-    const VoxelCode cube{voxel[0] >> edge_bits, voxel[1] >> edge_bits,
-                         voxel[2] >> edge_bits};
-    cubes_.add({cube, std::min(points, most), {}});
-    points_by_count_.resize(max_counted + 1, 0);
-    points_by_count_[std::min<std::size_t>(points, max_counted)] += points;
+    constexpr double share = 0.2;
+    constexpr double volume = 1 << 3 * cube_bits;
+    const Counts counts = keepBetween(cubes_);
+    const std::size_t all =
+        std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    std::size_t fewer = 0;
+    std::size_t points = 0;
+    std::size_t n = 0;
+    while (n < max_counted && (n < 1 || static_cast<double>(fewer + counts[n]) <
+                                            share * static_cast<double>(all))) {
+      fewer += counts[n++];
+      points += n * counts[n]; // n times the share of n is the mean times that of n - 1
+    }
+    voxels_ = volume * static_cast<double>(all);
+    if (fewer > 0)
+      mean_ = static_cast<double>(points) / static_cast<double>(fewer) / volume;
   }
 
-  /** @brief Returns the minimum number of points of a voxel on a surface; about one in
-   * a hundred voxels of strays reaches it. 0 (keep all) unless there are at least 50
-   * cubes between the lowest and the highest of their profile, of which four fifths
-   * hold points; and if half of the points lie in voxels with less than ten times as
-   * many: the scan is too sparse to decide. O(n log n) for n cubes. */
-  std::uint32_t minPoints() const
+  /** @brief Returns whether a voxel is in the space between. */
+  bool mayHold(const VoxelCode& voxel) const
   {
-    constexpr double denser = 10; // ratio of the densities of surfaces and strays
-    const double in_air = pointsInAir();
-    if (in_air == 0)
-      return 0;
-    // Counts of independent strays deviate by their square roots.
-    const double mean = (in_air + std::sqrt(in_air)) / cube_volume;
-    const double least = 2 + std::floor(mean + 2.5 * std::sqrt(mean));
-    return static_cast<double>(middleCount()) >= denser * least
-               ? static_cast<std::uint32_t>(least)
-               : 0;
+    const std::int64_t number = cubes_.numberOf(cubeOf(voxel));
+    return number >= 0 && cubes_[static_cast<std::size_t>(number)].count > 0;
+  }
+
+  /** @brief Returns how many points are strays. */
+  double size() const { return mean_ * voxels_; }
+
+  /** @brief Returns the greatest number of points of a window about a voxel of which
+   * strays explain at least half of the voxels; 0 if not even those of two.
+   * @param seen voxels that may hold strays by the points of their windows
+   * @param volume of the window, voxels */
+  std::size_t explained(const Counts& seen, double volume) const
+  {
+    const double mean = mean_ * volume;
+    const auto first = static_cast<std::size_t>(2 + mean);
+    std::size_t n = first;
+    for (; n < max_counted; ++n) {
+      const auto k = static_cast<double>(n);
+      const double expected = voxels_ *
+                              std::exp(k * std::log(mean) - mean - std::lgamma(k + 1)) *
+                              (1 - std::pow(1 - 1 / volume, k)); // one in the voxel
+      if (!(2 * expected >= std::max(1.0, static_cast<double>(seen[n]))))
+        break;
+    }
+    return n > first ? n - 1 : 0;
   }
 
 private:
-  /** @brief Returns the 20th percentile of the points of the cubes between the lowest
-   * and the highest of their profile, empty ones included; 0 if there are few. */
-  double pointsInAir() const
-  {
-    constexpr double share = 0.2;
-    constexpr double few = 50;   // cubes
-    std::vector<VoxelSum> cubes; // by profile, from below
-    for (std::size_t c = 0; c < cubes_.size(); ++c)
-      cubes.push_back(cubes_[c]);
-    std::sort(cubes.begin(), cubes.end(),
-              [](const VoxelSum& a, const VoxelSum& b) { return a.code < b.code; });
-    std::vector<std::uint32_t> occupied;
-    double all = 0;
-    double below = 0; // cubes from the previous one of the profile to this one
-    for (std::size_t i = 0; i < cubes.size(); ++i) {
-      const double above = i + 1 < cubes.size() ? stepUp(cubes[i], cubes[i + 1]) : 0;
-      if (below > 0)
-        all += below - 1;
-      if (below > 0 && above > 0) {
-        ++all;
-        occupied.push_back(cubes[i].count);
-      }
-      below = above;
-    }
-    const double rank =
-        std::floor(share * all) - (all - static_cast<double>(occupied.size()));
-    if (all < few || rank < 0)
-      return 0;
-    const auto at = occupied.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(occupied.begin(), at, occupied.end());
-    return *at;
-  }
-
-  /** @brief Returns the count that half of the points have in their voxel, or more. */
-  std::size_t middleCount() const
-  {
-    const std::uint64_t all = std::accumulate(points_by_count_.begin(),
-                                              points_by_count_.end(), std::uint64_t{0});
-    std::uint64_t above = 0;
-    std::size_t count = points_by_count_.size();
-    while (count > 0 && 2 * above < all)
-      above += points_by_count_[--count];
-    return count;
-  }
-
-  VoxelTable cubes_;                           ///< of which only the counts are used
-  std::vector<std::uint64_t> points_by_count_; ///< in voxels of 0, 1, 2, ... points
+  VoxelTable cubes_;  ///< those of the space between
+  double voxels_ = 0; ///< of the space between
+  double mean_ = 0;   ///< strays of a voxel
 };
-
-} // namespace
 
 /** @brief The voxels of some hashes, and a lock for threads that add to them. */
 struct alignas(64) VoxelSums::Shard {
@@ -195,14 +201,80 @@ VoxelSums::size() const
   return size;
 }
 
-std::uint32_t
-VoxelSums::strayLimit() const
+std::size_t
+VoxelSums::pointsAround(const VoxelCode& middle, int reach, std::size_t enough) const
 {
-  VoxelCensus census;
+  std::size_t points = 0;
+  for (int x = -reach; x <= reach; ++x)
+    for (int y = -reach; y <= reach; ++y)
+      for (int z = -reach; z <= reach && points < enough; ++z) {
+        const VoxelCode code{middle[0] + x, middle[1] + y, middle[2] + z};
+        const VoxelTable& table = shards_[shardOf(code)].table;
+        const std::int64_t number = table.numberOf(code);
+        points += number < 0 ? 0 : table[static_cast<std::size_t>(number)].count;
+      }
+  return std::min(points, enough);
+}
+
+std::size_t
+VoxelSums::strayLimit(const StrayPoints& strays, int reach, unsigned threads) const
+{
+  const double volume = std::pow(2 * reach + 1, 3);
+  Counts seen{};
+  const std::size_t bound = strays.explained(seen, volume);
+  std::size_t limit = bound;
+  for (std::size_t s = 0; s < shard_count && limit > 0; ++s) {
+    const VoxelTable& table = shards_[s].table;
+    std::vector<std::size_t> around(table.size());
+    parallelFor(table.size(), voxels_a_block, threads, [&](std::size_t v) {
+      around[v] = strays.mayHold(table[v].code)
+                      ? pointsAround(table[v].code, reach, bound + 1)
+                      : 0;
+    });
+    for (const std::size_t points : around)
+      ++seen[points];
+    limit = strays.explained(seen, volume);
+  }
+  return limit;
+}
+
+std::size_t
+VoxelSums::dropStrays(unsigned threads)
+{
+  constexpr double most = 0.2;       // share of points: more are surfaces seen in dots
+  constexpr std::size_t denser = 10; // a surface than strays beside it
+  VoxelTable cubes;
+  std::size_t all = 0;
   for (std::size_t s = 0; s < shard_count; ++s)
-    for (std::size_t v = 0; v < shards_[s].table.size(); ++v)
-      census.add(shards_[s].table[v].code, shards_[s].table[v].count);
-  return census.minPoints();
+    for (std::size_t v = 0; v < shards_[s].table.size(); ++v) {
+      const auto& [code, count, sum] = shards_[s].table[v];
+      // Saturated: the cubes of the air hold few points, the others do not matter.
+      cubes.add({cubeOf(code), std::min<std::uint32_t>(count, max_counted), {}});
+      all += count;
+    }
+  const StrayPoints strays(std::move(cubes));
+  if (strays.size() > most * static_cast<double>(all))
+    return 0;
+  const std::size_t alone = strayLimit(strays, 0, threads);
+  const std::size_t together = strayLimit(strays, 1, threads);
+  const std::size_t on_surface = denser * 9 * alone; // 9 of 27 voxels
+  std::array<std::vector<std::size_t>, shard_count> of_shard;
+  parallelFor(shard_count, 1, threads, [&](std::size_t s) {
+    const VoxelTable& table = shards_[s].table;
+    for (std::size_t v = 0; v < table.size(); ++v) {
+      if (table[v].count > std::max(alone, together))
+        continue;
+      const std::size_t around =
+          pointsAround(table[v].code, 1, std::max(on_surface, together + 1));
+      if (around <= together || (table[v].count <= alone && around >= on_surface))
+        of_shard[s].push_back(v);
+    }
+  });
+  std::size_t dropped = 0;
+  for (std::size_t s = 0; s < shard_count; ++s)
+    for (const std::size_t v : of_shard[s])
+      dropped += shards_[s].table.drop(v);
+  return dropped;
 }
 
 std::size_t
@@ -216,7 +288,8 @@ VoxelSums::arrange(std::uint32_t min_points)
   entries.reserve(size());
   for (std::size_t s = 0; s < shard_count; ++s)
     for (std::size_t v = 0; v < shards_[s].table.size(); ++v)
-      if (const VoxelSum& sum = shards_[s].table[v]; sum.count >= min_points)
+      if (const VoxelSum& sum = shards_[s].table[v];
+          sum.count >= min_points && sum.count > 0)
         entries.push_back({sum.code, &sum});
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.code[2], a.code[1], a.code[0]) <
@@ -245,7 +318,6 @@ void
 VoxelSums::forEach(const std::function<void(const VoxelSum&, std::size_t)>& see,
                    unsigned threads) const
 {
-  constexpr std::size_t voxels_a_block = 4096;
   parallelFor(order_.size(), voxels_a_block, threads,
               [&](std::size_t i) { see(*order_[i], i); });
 }

@@ -55,8 +55,10 @@ public:
   /** @brief Returns the number of voxels so far. */
   std::size_t size() const;
 
-  /** @brief Returns VoxelCensus::minPoints() of all voxels so far. */
-  std::uint32_t strayLimit() const;
+  /** @brief Drops the voxels that points scattered evenly in the air explain: those of
+   * the 27 voxels around one or, beside a surface ten times as dense, its own. O(n).
+   * @return number of points in them */
+  std::size_t dropStrays(unsigned threads = 0);
 
   /** @brief Sorts the voxels by z, then y, then x, without a copy of them.
    * @param min_points minimum number of points of a voxel that is kept
@@ -92,9 +94,19 @@ public:
 
 private:
   struct Shard;
+  class StrayPoints;
   static constexpr std::size_t shard_count = 64;
 
   static std::size_t shardOf(const VoxelCode& code);
+
+  /** @brief Returns the greatest number of points about a voxel, as pointsAround(),
+   * that strays explain; 0 if there are too few of them. */
+  std::size_t strayLimit(const StrayPoints& strays, int reach, unsigned threads) const;
+
+  /** @brief Returns the number of points of the voxels up to `reach` from one along
+   * each axis, at most `enough`. */
+  std::size_t
+  pointsAround(const VoxelCode& middle, int reach, std::size_t enough) const;
 
   VoxelFrame frame_;
   std::unique_ptr<Shard[]> shards_;

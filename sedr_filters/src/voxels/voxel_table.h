@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -56,6 +57,13 @@ public:
   std::size_t size() const { return sums_.size(); }
 
   const VoxelSum& operator[](std::size_t number) const { return sums_[number]; }
+
+  /** @brief Sets the count of a voxel to 0.
+   * @return what it was */
+  std::uint32_t drop(std::size_t number)
+  {
+    return std::exchange(sums_[number].count, 0);
+  }
 
   /** @brief Returns the number of a voxel, -1 if there is none. */
   std::int64_t numberOf(const VoxelCode& code) const

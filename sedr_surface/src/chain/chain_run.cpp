@@ -133,8 +133,8 @@ bool
 ChainRun::findStructure()
 {
   warnOfLostPoints();
-  if (chain_.stray_limit > 0)
-    warn({WarningKind::Strays, {static_cast<double>(chain_.stray_limit)}});
+  if (chain_.stray_share > 0)
+    warn({WarningKind::Strays, {100 * chain_.stray_share}});
   const MirrorFigures& mirrored = chain_.mirrored;
   if (mirrored.untrue > 0)
     warn({WarningKind::Positions,

@@ -101,12 +101,9 @@ problemOf(const Excerpt& excerpt, unsigned threads)
 }
 
 void
-writeMeans(VoxelSums& sums,
-           unsigned min_points,
-           unsigned threads,
-           StructureChain::Cloud& means)
+writeMeans(VoxelSums& sums, unsigned threads, StructureChain::Cloud& means)
 {
-  means.resize(sums.arrange(min_points));
+  means.resize(sums.arrange());
   sums.forEach(
       [&](const VoxelSum& voxel, std::size_t place) {
         means[place].getVector3fMap() = sums.frame().mean(voxel);
@@ -144,11 +141,11 @@ thinTogether(const Ranks& ranks,
   addUp(ranks, *sums);
   if (ranks.rank() == 0) {
     if (grid.getRemoveStrays())
-      thinned.stray_limit = sums->strayLimit();
-    writeMeans(*sums, thinned.stray_limit, threads, *thinned.points);
+      thinned.strays = sums->dropStrays(threads);
+    writeMeans(*sums, threads, *thinned.points);
   }
   sums.reset();
-  boost::mpi::broadcast(ranks, thinned.stray_limit, 0);
+  boost::mpi::broadcast(ranks, thinned.strays, 0);
   shareList(ranks, thinned.points->points, 0);
   thinned.points->width = static_cast<std::uint32_t>(thinned.points->points.size());
   thinned.points->height = 1;

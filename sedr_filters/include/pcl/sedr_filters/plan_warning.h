@@ -18,7 +18,7 @@ enum class WarningKind {
   Unit,          ///< reason
   Up,            ///< reason
   LostPoints,    ///< %
-  Strays,        ///< points of a voxel that was kept
+  Strays,        ///< % of the points
   Positions,     ///< of the scanner, untrue, all
   Mirrors,       ///< surfaces, thinned points
   Levelled,      ///< degrees, direction; reason

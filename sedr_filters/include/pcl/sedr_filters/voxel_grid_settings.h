@@ -39,14 +39,12 @@ public:
   unsigned int getMinimumPointsNumberPerVoxel() const { return min_points_per_voxel_; }
 
   /** @brief Sets whether voxels explained by points scattered in the air are dropped
-   * (default false). This needs a dense scan, see doc/parallel_voxel_grid.md; in a
-   * sparser scan all voxels are kept. */
+   * (default false), see doc/parallel_voxel_grid.md. */
   void setRemoveStrays(bool remove_strays) { removes_strays_ = remove_strays; }
   bool getRemoveStrays() const { return removes_strays_; }
 
-  /** @brief Returns the point count below which voxels were dropped as strays; 0: none.
-   */
-  unsigned int getStrayLimit() const { return stray_limit_; }
+  /** @brief Returns the number of points that were dropped as strays. */
+  std::size_t getStrayPoints() const { return strays_; }
 
   /** @brief Sets the number of threads, 0 for all processors (default). The result is
    * identical byte for byte. */
@@ -74,7 +72,7 @@ protected:
                    const ThinnedRows& output,
                    pcl::Indices* removed = nullptr);
 
-  unsigned int stray_limit_ = 0; ///< of the last run
+  std::size_t strays_ = 0; ///< of the last run
 
 private:
   Eigen::Array3f inverseLeaf() const

@@ -21,7 +21,7 @@ struct ThinnedScan {
   std::size_t size = 0; ///< points of the scan
   /** Means of the voxels, as ParallelVoxelGrid returns them. */
   CloudPtr points{new StructureChain::Cloud};
-  unsigned stray_limit = 0; ///< ParallelVoxelGrid::getStrayLimit()
+  std::size_t strays = 0; ///< ParallelVoxelGrid::getStrayPoints()
   /** Every k-th point of the scan, with k chosen so that at most 5 million remain. */
   std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt{
       new std::vector<Eigen::Vector3f>};

@@ -74,9 +74,9 @@ public:
    * false, and `problem` tells before which stage. */
   std::function<bool()> is_cancelled;
 
-  /** @brief Voxels with fewer points were removed as strays by thinning, see
-   * ParallelVoxelGrid::getStrayLimit(). A warning reports it. */
-  unsigned stray_limit = 0;
+  /** @brief Share of the points that thinning removed as strays, see
+   * ParallelVoxelGrid::getStrayPoints(). A warning reports it. */
+  double stray_share = 0;
 
   /** @brief Result of leaveOutMirrored(), if called before the run. A warning reports
    * it. */

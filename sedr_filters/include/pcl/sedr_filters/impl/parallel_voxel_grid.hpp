@@ -40,7 +40,7 @@ void
 ParallelVoxelGrid<PointT>::clearResults()
 {
   sedr::StageFilter<PointT>::clearResults();
-  stray_limit_ = 0;
+  strays_ = 0;
 }
 
 template <typename PointT>

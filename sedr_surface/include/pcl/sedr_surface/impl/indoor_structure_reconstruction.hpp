@@ -94,7 +94,7 @@ IndoorStructureReconstruction<PointT>::thinned()
       scan.excerpt);
   pcl::copyPointCloud(means, *scan.points);
   scan.size = source->size();
-  scan.stray_limit = voxel_grid_.getStrayLimit();
+  scan.strays = voxel_grid_.getStrayPoints();
   return scan;
 }
 
@@ -121,7 +121,8 @@ IndoorStructureReconstruction<PointT>::thin(sedr::ThinnedScan& scan)
     return fail("IndoorStructureReconstruction",
                 "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
   }
-  chain_.stray_limit = scan.stray_limit;
+  chain_.stray_share = static_cast<double>(scan.strays) /
+                       static_cast<double>(std::max<std::size_t>(scan.size, 1));
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
   reports_.push_back(
