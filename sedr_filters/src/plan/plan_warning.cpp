@@ -23,7 +23,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 39> words{{
+constexpr std::array<Words, 40> words{{
     {"coverage", "", "",
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -70,6 +70,10 @@ constexpr std::array<Words, 39> words{{
     {"floor_off", "rooms have floors more than 10 cm off the model", "m2",
      "{0.1} m2 of its floor, at {1.2} to {2.2} m from its main floor, are more than 10 "
      "cm off the model"},
+    {"floor_unseen",
+     "rooms have floors of which more than furniture hides was not seen", "m2",
+     "{0.1} m2 of its floor{at} were not seen, more than furniture hides: there may be "
+     "a stage"},
     {"wall_off", "walls are off what was seen", "m2",
      "{0.1} m2 of what was seen there lie {1.0} cm before it",
      "{0.1} m2 of what was seen there lie {1.0} cm behind it"},

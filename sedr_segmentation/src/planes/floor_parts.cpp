@@ -37,18 +37,18 @@ gridOver(const std::vector<Eigen::Vector3d>& places,
 /** @brief A piece of the surface on which a room's air ends, and its rim in cells. */
 struct FloorPiece {
   struct Border {
-    double length = 0;
+    double length = 0; ///< metres
     double closed = 0; ///< by risers, or as the step is low
     double rise = 0;   ///< sum over the border, from this piece to the other one
   };
 
   const PlanSlab* slab = nullptr;
-  double area = 0;
+  double area = 0;       ///< seen, square metres
+  double depth = 0;      ///< twice the area by the rim, metres: of a strip its width
   double above_main = 0; ///< mean height, metres
   double hides = 0;      ///< share of its cells off the rim with floor below
-  double upright = 0;    ///< share of its cells off the rim with headroom above
-  double walls = 0;      ///< length of its rim beside walls
-  double rim = 0;
+  double walls = 0;      ///< length of its rim beside walls, metres
+  double rim = 0;        ///< metres
   std::map<std::size_t, Border> borders;
   bool is_floor = false;
 };
@@ -59,7 +59,6 @@ public:
   FloorPieces(const FacetSheet& surface,
               const RiserBins& risers,
               const std::vector<std::uint8_t>& floor_seen,
-              const std::vector<double>& highest,
               const PlanSlab& main,
               const Priors& priors)
       : priors_(priors)
@@ -90,31 +89,31 @@ public:
         grid.forAllSides(cell, [&](std::size_t next) {
           if (label[next] == label[cell])
             return;
-          piece.rim += 1;
+          piece.rim += grid.size;
           if (label[next] == FacetSheet::none) {
-            piece.walls += 1;
+            piece.walls += grid.size;
             return;
           }
           const double other =
               surface.facets[static_cast<std::size_t>(label[next])].heightAt(place);
           FloorPiece::Border& border = piece.borders[piece_of_[next]];
-          border.length += 1;
-          border.rise += other - height;
+          border.length += grid.size;
+          border.rise += grid.size * (other - height);
           const auto& [low, high] = std::minmax(height, other);
           border.closed +=
               high - low < RiserBins::min_step ||
                       risers.share(cell, next, low, high) >= priors.share_half
-                  ? 1
+                  ? grid.size
                   : 0;
         });
         if (piece.rim > rim_before)
           continue;
         within += 1;
         piece.hides += floor_seen[cell] && over > priors.min_floor_step ? 1 : 0;
-        piece.upright += highest[cell] - height >= priors.min_headroom ? 1 : 0;
       }
       piece.hides /= std::max(1.0, within);
-      piece.upright /= std::max(1.0, within);
+      piece.depth =
+          2 * grid.size * grid.size * static_cast<double>(cells.size()) / piece.rim;
       piece.is_floor = std::abs(piece.above_main) < priors.min_floor_step;
     }
     for (bool has_grown = true; has_grown;) {
@@ -145,15 +144,13 @@ private:
   {
     constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
-    const bool is_no_furniture =             // larger, or below the floor
-        piece.area > priors_.max_furniture_area || piece.above_main < 0;
-    const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
-    const bool may_be_stage = is_no_furniture && piece.upright >= priors_.share_half;
     if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest))
       return false;
+    const bool is_no_furniture =
+        !isAsFurniture(piece.area, piece.depth, piece.above_main, priors_);
     double closed = piece.walls;
     double held = piece.walls; // by what furniture has not beside it
-    bool is_reached = is_no_furniture;
+    bool is_reached = false;
     bool is_below_floor = false;
     bool goes_on = false; // without a step, as a landing of a ramp
     for (const auto& [other, border] : piece.borders) {
@@ -168,12 +165,14 @@ private:
       is_below_floor = is_below_floor || (is_known && rise > priors_.min_floor_step);
     }
     // A group of desks is as large as a stage, and its sides are not all closed.
-    const double min_closed = is_low ? priors_.share_closed : 0.9;
-    const double least =
-        is_below_floor ? SheetParameters().min_closed_area : priors_.min_platform_area;
-    return (is_low || may_be_stage || goes_on) && piece.area >= least && is_reached &&
-           closed >= min_closed * piece.rim &&
-           (is_no_furniture || held >= priors_.share_little * piece.rim);
+    const double min_closed = std::abs(piece.above_main) <= priors_.max_platform_height
+                                  ? priors_.share_closed
+                                  : priors_.share_most;
+    const double least = is_below_floor || goes_on ? SheetParameters().min_closed_area
+                                                   : priors_.min_platform_area;
+    return piece.area >= least && closed >= min_closed * piece.rim &&
+           (is_no_furniture ||
+            (is_reached && held >= priors_.share_little * piece.rim));
   }
 
   const Priors& priors_;
@@ -182,6 +181,14 @@ private:
 };
 
 } // namespace
+
+bool
+isAsFurniture(double area, double depth, double height, const Priors& priors)
+{
+  return area <= priors.max_furniture_area *
+                     std::min(1.0, height / priors.max_step_height) ||
+         (height > priors.max_platform_height && depth <= priors.max_furniture_depth);
+}
 
 std::vector<int>
 floorPoints(const PointView& points,
@@ -209,20 +216,18 @@ floorPoints(const PointView& points,
   if (surface.facets.empty())
     return floor;
   std::vector<std::uint8_t> floor_seen(grid.count(), 0);
-  std::vector<double> highest(grid.count(), -1e9);
   for (const Eigen::Vector3d& p : all)
-    if (const std::size_t cell = grid.at(p.head<2>()); cell < floor_seen.size()) {
-      highest[cell] = std::max(highest[cell], p.z());
-      if (std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
-        floor_seen[cell] = 1;
-    }
+    if (const std::size_t cell = grid.at(p.head<2>());
+        cell < floor_seen.size() &&
+        std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
+      floor_seen[cell] = 1;
   const auto [low, high] =
       std::minmax_element(places.begin(), places.end(),
                           [](const auto& a, const auto& b) { return a.z() < b.z(); });
   const FloorPieces pieces(surface,
                            RiserBins(grid, std::vector<std::uint8_t>(grid.count(), 1),
                                      all, low->z(), high->z()),
-                           floor_seen, highest, main, priors);
+                           floor_seen, main, priors);
   floor.clear();
   for (const int i : ends) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];

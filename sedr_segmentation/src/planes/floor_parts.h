@@ -9,6 +9,12 @@
 
 namespace pcl::sedr {
 
+/** @brief Returns whether furniture may be as large as a level surface above a floor:
+ * the lower the smaller; and higher than tables no deeper than cupboards.
+ * @param depth twice the area by the length of the outline: of a long strip its width
+ */
+bool isAsFurniture(double area, double depth, double height, const Priors& priors);
+
 /** @brief Returns the points of a room's floor: of its main plane, and of platforms,
  * steps, pits and ramps beside it; not of furniture.
  *

@@ -199,8 +199,9 @@ private:
           piece.step += beside - height;
           piece.sides += 1;
         }
-        const bool is_hidden = !parameters_.is_floor && !is_wall && !is_closed &&
-                               beside > height && evidence_.cells.isEmpty(next);
+        const bool is_hidden =
+            !is_wall && !is_closed && beside > height &&
+            evidence_.cells.isEmpty(parameters_.is_floor ? cell : next);
         piece.border += is_hidden ? 0 : 1;
         piece.closed += is_closed ? 1 : 0;
       });

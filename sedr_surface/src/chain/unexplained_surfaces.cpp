@@ -2,6 +2,8 @@
 #include "chain_run.h"
 #include "seen_surfaces.h"
 
+#include "sedr_segmentation/src/planes/floor_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,17 +13,38 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Removes connected cells up to an area, square metres. */
+/** @brief Removes connected cells that furniture may cover.
+ * @param heights above the floor, of each cell */
 CellSet
-largeOf(std::vector<CellKey> keys, double size, double area)
+withoutFurniture(const CellSet& cells,
+                 const std::vector<double>& heights,
+                 double size,
+                 const Priors& priors)
 {
-  const CellSet cells(std::move(keys));
+  struct Region {
+    double area = 0;
+    double rim = 0;
+    double height = 0;
+  };
   const CellRegions regions = labelRegions(cells);
-  std::vector<CellKey> large;
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    if (static_cast<double>(regions.sizes[regions.label[k]]) * size * size > area)
-      large.push_back(keyOf(cells[k]));
-  return CellSet(std::move(large));
+  std::vector<Region> of(regions.sizes.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    Region& region = of[regions.label[k]];
+    const Cell at = cells[k];
+    region.area += size * size;
+    region.height += heights[k] / static_cast<double>(regions.sizes[regions.label[k]]);
+    for (const Cell next : {Cell{at.x - 1, at.y}, Cell{at.x + 1, at.y},
+                            Cell{at.x, at.y - 1}, Cell{at.x, at.y + 1}})
+      region.rim += cells.contains(next) ? 0 : size;
+  }
+  std::vector<CellKey> kept;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Region& region = of[regions.label[k]];
+    if (!isAsFurniture(region.area, 2 * region.area / region.rim, region.height,
+                       priors))
+      kept.push_back(keyOf(cells[k]));
+  }
+  return CellSet::fromSorted(std::move(kept));
 }
 
 /** @brief Warns of a floor or ceiling of a room if much of it was seen off its model.
@@ -40,17 +63,22 @@ addSlab(const RoomLookup& model,
   const double floor = room.floorAt(room.boundary.elements.front().start);
   std::vector<CellKey> keys; // increasing, as the columns
   std::vector<double> heights;
-  std::vector<CellKey> above;
+  std::vector<CellKey> above; // the floor
+  std::vector<double> heights_above;
+  std::vector<CellKey> unseen;
   for (const RoomColumn& column : seen.columns) {
     const Eigen::Vector2d at = grid.centre(column.cell);
     const auto isBeside = [&](const PlanLoop& loop) {
       return loop.distance(at) < 2 * grid.size();
     };
-    const bool is_seen = is_floor ? column.floor_seen : column.ceiling_seen;
-    if (!is_seen || isBeside(room.boundary) || !room.contains(at) ||
+    if (isBeside(room.boundary) || !room.contains(at) ||
         std::any_of(room.columns.begin(), room.columns.end(), isBeside) ||
         isOnModel(keyOf(column.cell)))
       continue;
+    if (!(is_floor ? column.floor_seen : column.ceiling_seen)) {
+      unseen.push_back(keyOf(column.cell));
+      continue;
+    }
     const double z = is_floor ? column.floor : column.ceiling;
     // Of the model, wide on a slope and at a step.
     double low = std::numeric_limits<double>::infinity();
@@ -62,19 +90,17 @@ addSlab(const RoomLookup& model,
         low = std::min(low, height - off_slab);
         high = std::max(high, height + off_slab);
       }
-    const bool is_on_it = z > high && is_floor;
-    if ((z >= low && z <= high) ||
-        (is_on_it && column.ceiling - z < priors.min_headroom))
+    if (z >= low && z <= high)
       continue;
     keys.push_back(keyOf(column.cell));
     heights.push_back(z - floor);
-    if (is_on_it)
+    if (z > high && is_floor) {
       above.push_back(keys.back());
+      heights_above.push_back(z - high + off_slab);
+    }
   }
-  // What stands on a floor is furniture, unless it is larger than that.
-  const CellSet all(above);
-  const CellSet stages =
-      largeOf(std::move(above), grid.size(), priors.max_furniture_area);
+  const CellSet all = CellSet::fromSorted(std::move(above));
+  const CellSet stages = withoutFurniture(all, heights_above, grid.size(), priors);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < keys.size(); ++k)
     if (!all.contains(cellOf(keys[k])) || stages.contains(cellOf(keys[k]))) {
@@ -84,13 +110,24 @@ addSlab(const RoomLookup& model,
   keys.resize(kept);
   heights.resize(kept);
   const Patches found(std::move(keys), heights, grid.size());
-  if (found.count > 0 && found.area >= told_share * room.area())
+  const double told = std::min(told_share * room.area(), priors.max_furniture_area);
+  if (found.count > 0 && found.area >= told)
     warnings.push_back({is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
                         {found.area, found.low, found.high},
                         room.id,
                         0,
                         {},
                         found.middle});
+  if (!is_floor)
+    return;
+  const CellSet hidden = CellSet::fromSorted(std::move(unseen));
+  const CellSet stage =
+      withoutFurniture(hidden, std::vector<double>(hidden.size(), priors.min_headroom),
+                       grid.size(), priors);
+  const Patches hiding(stage.keys(), std::vector<double>(stage.size(), 0), grid.size());
+  if (hiding.count > 0)
+    warnings.push_back(
+        {WarningKind::FloorUnseen, {hiding.area}, room.id, 0, {}, hiding.middle});
 }
 
 /** @brief Tells of what is beyond a door and no room: too small, or hardly seen. */

@@ -33,6 +33,7 @@ enum class WarningKind {
   CeilingApart,  ///< m2
   CeilingOff,    ///< m2 off the model, from, to m above the floor
   FloorOff,      ///< likewise
+  FloorUnseen,   ///< m2
   WallOff,       ///< m2 off the model, mean cm, positive into the room
   Standing,      ///< m2 of what reaches up to the ceiling and is not in the plan
   Tilted,        ///< degrees, positive into the room
