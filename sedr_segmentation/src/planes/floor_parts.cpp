@@ -47,6 +47,7 @@ struct FloorPiece {
   double depth = 0;      ///< twice the area by the rim, metres: of a strip its width
   double above_main = 0; ///< mean height, metres
   double hides = 0;      ///< share of its cells off the rim with floor below
+  double free = 0;       ///< share of these with more room above than below
   double walls = 0;      ///< length of its rim beside walls, metres
   double rim = 0;        ///< metres
   std::map<std::size_t, Border> borders;
@@ -59,6 +60,7 @@ public:
   FloorPieces(const FacetSheet& surface,
               const RiserBins& risers,
               const std::vector<std::uint8_t>& floor_seen,
+              const std::vector<double>& highest,
               const PlanSlab& main,
               const Priors& priors)
       : priors_(priors)
@@ -110,8 +112,10 @@ public:
           continue;
         within += 1;
         piece.hides += floor_seen[cell] && over > priors.min_floor_step ? 1 : 0;
+        piece.free += highest[cell] - height >= over ? 1 : 0;
       }
       piece.hides /= std::max(1.0, within);
+      piece.free /= std::max(1.0, within);
       piece.depth =
           2 * grid.size * grid.size * static_cast<double>(cells.size()) / piece.rim;
       piece.is_floor = std::abs(piece.above_main) < priors.min_floor_step;
@@ -142,11 +146,11 @@ public:
 private:
   bool isFloor(const FloorPiece& piece) const
   {
-    constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
-    if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest))
+    if (piece.hides > priors_.share_unseen || piece.slab->plane[2] < std::cos(steepest))
       return false;
     const bool is_no_furniture =
+        piece.free >= priors_.share_half &&
         !isAsFurniture(piece.area, piece.depth, piece.above_main, priors_);
     double closed = piece.walls;
     double held = piece.walls; // by what furniture has not beside it
@@ -164,7 +168,7 @@ private:
       goes_on = goes_on || (is_known && std::abs(rise) < priors_.min_floor_step);
       is_below_floor = is_below_floor || (is_known && rise > priors_.min_floor_step);
     }
-    // A group of desks is as large as a stage, and its sides are not all closed.
+    // A group of desks or shelves is as large as a stage, but not as closed.
     const double min_closed = std::abs(piece.above_main) <= priors_.max_platform_height
                                   ? priors_.share_closed
                                   : priors_.share_most;
@@ -185,8 +189,8 @@ private:
 bool
 isAsFurniture(double area, double depth, double height, const Priors& priors)
 {
-  return area <= priors.max_furniture_area *
-                     std::min(1.0, height / priors.max_step_height) ||
+  constexpr double riser = 0.2; // metres: no furniture is as low as a step
+  return area <= priors.max_furniture_area * std::min(1.0, height / riser) ||
          (height > priors.max_platform_height && depth <= priors.max_furniture_depth);
 }
 
@@ -216,18 +220,20 @@ floorPoints(const PointView& points,
   if (surface.facets.empty())
     return floor;
   std::vector<std::uint8_t> floor_seen(grid.count(), 0);
+  std::vector<double> highest(grid.count(), -1e9);
   for (const Eigen::Vector3d& p : all)
-    if (const std::size_t cell = grid.at(p.head<2>());
-        cell < floor_seen.size() &&
-        std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
-      floor_seen[cell] = 1;
+    if (const std::size_t cell = grid.at(p.head<2>()); cell < floor_seen.size()) {
+      highest[cell] = std::max(highest[cell], p.z());
+      if (std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
+        floor_seen[cell] = 1;
+    }
   const auto [low, high] =
       std::minmax_element(places.begin(), places.end(),
                           [](const auto& a, const auto& b) { return a.z() < b.z(); });
   const FloorPieces pieces(surface,
                            RiserBins(grid, std::vector<std::uint8_t>(grid.count(), 1),
                                      all, low->z(), high->z()),
-                           floor_seen, main, priors);
+                           floor_seen, highest, main, priors);
   floor.clear();
   for (const int i : ends) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];

@@ -133,7 +133,7 @@ bool
 ChainRun::findStructure()
 {
   warnOfLostPoints();
-  if (chain_.stray_share > 0)
+  if (chain_.stray_share >= 5e-4)
     warn({WarningKind::Strays, {100 * chain_.stray_share}});
   const MirrorFigures& mirrored = chain_.mirrored;
   if (mirrored.untrue > 0)

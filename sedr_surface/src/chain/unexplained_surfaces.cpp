@@ -121,9 +121,10 @@ addSlab(const RoomLookup& model,
   if (!is_floor)
     return;
   const CellSet hidden = CellSet::fromSorted(std::move(unseen));
-  const CellSet stage =
-      withoutFurniture(hidden, std::vector<double>(hidden.size(), priors.min_headroom),
-                       grid.size(), priors);
+  const CellSet stage = withoutFurniture(
+      hidden,
+      std::vector<double>(hidden.size(), std::numeric_limits<double>::infinity()),
+      grid.size(), priors);
   const Patches hiding(stage.keys(), std::vector<double>(stage.size(), 0), grid.size());
   if (hiding.count > 0)
     warnings.push_back(

@@ -19,7 +19,7 @@ enum class PlanLayer {
   Ceiling,  ///< edges of details, steps of a ceiling that is not level
   Ridge,    ///< ridges, hips and valleys
   Headroom, ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
-  Floor,    ///< steps and platforms
+  Floor,    ///< steps, platforms and slopes
   Stair,    ///< flights: treads, the way up
   Room,     ///< numbers, areas and heights of rooms
   Height,   ///< heights of ceilings

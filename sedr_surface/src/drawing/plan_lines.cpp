@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_lines.h"
+#include "text_spot.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
 #include "sedr_filters/src/plan/plan_segment.h"
-#include "text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
@@ -121,25 +121,33 @@ public:
          detail != room_.floor_details.rend(); ++detail) { // later ones hold
       std::vector<PlanLoop> off = others;
       off.insert(off.end(), detail->holes.begin(), detail->holes.end());
-      addSlope(detail->slab, textSpotIn(detail->boundary, off));
+      addSlope(detail->slab, detail->boundary, off);
       others.push_back(detail->boundary);
     }
-    addSlope(room_.floor, textSpotIn(room_.boundary, others));
+    addSlope(room_.floor, room_.boundary, others);
   }
 
 private:
-  void addSlope(const PlanSlab& slab, const TextSpot& spot)
+  void addSlope(const PlanSlab& slab,
+                const PlanLoop& outline,
+                const std::vector<PlanLoop>& others)
   {
     constexpr double least = 0.01; // of a slope
-    const Eigen::Vector3d normal = slab.normalAt(spot.place);
-    const Eigen::Vector2d up = -normal.head<2>() / normal.z();
-    if (up.norm() < least || !room_.contains(spot.place))
+    const auto upAt = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+      const Eigen::Vector3d normal = slab.normalAt(p);
+      return -normal.head<2>() / normal.z();
+    };
+    if (!slab.curve && upAt({0, 0}).norm() < least)
       return;
-    const Eigen::Vector2d half = 0.8 * spot.radius * up.normalized();
+    const TextSpot spot = textSpotIn(outline, others);
+    const Eigen::Vector2d up = upAt(spot.place);
+    const double reach = std::min(0.8 * spot.radius, 1.0); // metres
+    if (up.norm() < least || reach < 0.2 || !room_.contains(spot.place))
+      return;
+    const Eigen::Vector2d half = reach * up.normalized();
     add(segment(spot.place - half, spot.place + half), PlanLayer::Floor,
         shortDecimalText(100 * up.norm(), 1) + " %");
-    for (const PlanElement& side :
-         arrowHead(spot.place - half, spot.place + half))
+    for (const PlanElement& side : arrowHead(spot.place - half, spot.place + half))
       add(side, PlanLayer::Floor);
   }
 

@@ -352,7 +352,8 @@ placedTexts(const Floorplan& plan,
       writer.writeLevel(room, room.floor_details, d, room_texts[r], PlanLayer::Floor);
   }
   for (const PlanLine& line : lines)
-    writer.writeAlong(line.layer == PlanLayer::Headroom || line.layer == PlanLayer::Floor
+    writer.writeAlong(line.layer == PlanLayer::Headroom ||
+                              line.layer == PlanLayer::Floor
                           ? line.layer
                           : PlanLayer::Height,
                       line.element, line.note);
