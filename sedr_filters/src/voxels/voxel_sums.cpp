@@ -12,6 +12,7 @@
 #include <mutex>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
@@ -42,9 +43,9 @@ cubeOf(const VoxelCode& voxel)
 }
 
 /** @brief Returns how many cubes between the lowest and the highest of their profile
- * hold 0, 1, 2, ... points. O(n log n) for n cubes. */
+ * hold 0, 1, 2, ... points, and drops the others. O(n log n) for n cubes. */
 Counts
-countsBetween(const VoxelTable& table)
+keepBetween(VoxelTable& table)
 {
   std::vector<VoxelSum> cubes; // by profile, from below
   for (std::size_t c = 0; c < table.size(); ++c)
@@ -58,6 +59,8 @@ countsBetween(const VoxelTable& table)
     counts[0] += std::max<std::size_t>(below, 1) - 1;
     if (below > 0 && above > 0)
       ++counts[std::min<std::size_t>(cubes[c].count, max_counted)];
+    else
+      table.drop(static_cast<std::size_t>(table.numberOf(cubes[c].code)));
     below = above;
   }
   return counts;
@@ -73,11 +76,12 @@ countsBetween(const VoxelTable& table)
 class VoxelSums::StrayPoints {
 public:
   /** @param cubes the sums of all cubes of voxels */
-  explicit StrayPoints(const VoxelTable& cubes)
+  explicit StrayPoints(VoxelTable cubes)
+      : cubes_(std::move(cubes))
   {
     constexpr double share = 0.2;
     constexpr double volume = 1 << 3 * cube_bits;
-    const Counts counts = countsBetween(cubes);
+    const Counts counts = keepBetween(cubes_);
     const std::size_t all =
         std::accumulate(counts.begin(), counts.end(), std::size_t{0});
     std::size_t fewer = 0;
@@ -93,12 +97,20 @@ public:
       mean_ = static_cast<double>(points) / static_cast<double>(fewer) / volume;
   }
 
+  /** @brief Returns whether a voxel is in the space between. */
+  bool mayHold(const VoxelCode& voxel) const
+  {
+    const std::int64_t number = cubes_.numberOf(cubeOf(voxel));
+    return number >= 0 && cubes_[static_cast<std::size_t>(number)].count > 0;
+  }
+
   /** @brief Returns how many points are strays. */
   double size() const { return mean_ * voxels_; }
 
   /** @brief Returns the greatest number of points of a window about a voxel of which
    * strays explain at least half of the voxels; 0 if not even those of two.
-   * @param seen voxels by the points of their windows
+   * @param seen voxels between by the points of their windows; sparse floors and
+   * ceilings, at the ends of profiles, are not among them
    * @param volume of the window, voxels */
   std::size_t explained(const Counts& seen, double volume) const
   {
@@ -117,6 +129,7 @@ public:
   }
 
 private:
+  VoxelTable cubes_;  ///< those of the space between
   double voxels_ = 0; ///< of the space between
   double mean_ = 0;   ///< strays of a voxel
 };
@@ -215,7 +228,9 @@ VoxelSums::strayLimit(const StrayPoints& strays, int reach, unsigned threads) co
     const VoxelTable& table = shards_[s].table;
     std::vector<std::size_t> around(table.size());
     parallelFor(table.size(), voxels_a_block, threads, [&](std::size_t v) {
-      around[v] = pointsAround(table[v].code, reach, bound + 1);
+      around[v] = strays.mayHold(table[v].code)
+                      ? pointsAround(table[v].code, reach, bound + 1)
+                      : 0;
     });
     for (const std::size_t points : around)
       ++seen[points];
@@ -238,7 +253,7 @@ VoxelSums::dropStrays(unsigned threads)
       cubes.add({cubeOf(code), std::min<std::uint32_t>(count, max_counted), {}});
       all += count;
     }
-  const StrayPoints strays(cubes);
+  const StrayPoints strays(std::move(cubes));
   if (strays.size() > most * static_cast<double>(all))
     return 0;
   const std::size_t alone = strayLimit(strays, 0, threads);
