@@ -31,13 +31,31 @@ struct Gap {
 /** @brief Indices of gaps side by side. */
 using Borders = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
+/** @brief Returns the key of the column of a place, or of its cell. */
+template <typename Place>
+std::uint64_t
+columnKey(const Place& place)
+{
+  constexpr double origin = 1 << (bits - 1);
+  std::uint64_t key = 0;
+  for (Eigen::Index k = 0; k < place.size(); ++k)
+    key = key << bits |
+          static_cast<std::uint64_t>(std::floor(place[k] / cell_size) + origin);
+  return key;
+}
+
+bool
+isBefore(const Gap& gap, std::uint64_t column)
+{
+  return gap.column < column;
+}
+
 /** @brief Returns the gaps by column. */
 std::vector<Gap>
 gapsAlong(const PointView& points,
           const std::vector<int>& indices,
           const Eigen::Matrix3d& axes)
 {
-  constexpr double origin = 1 << (bits - 1);
   constexpr std::uint64_t least = 12; // cells
   constexpr std::uint64_t most = 120;
   std::vector<std::pair<std::uint64_t, float>> cells; // of each point, and its height
@@ -46,11 +64,7 @@ gapsAlong(const PointView& points,
     const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() >= farthest_place)
       continue;
-    std::uint64_t key = 0;
-    for (const double v : p)
-      key =
-          key << bits | static_cast<std::uint64_t>(std::floor(v / cell_size) + origin);
-    cells.emplace_back(key, static_cast<float>(p.z()));
+    cells.emplace_back(columnKey(p), static_cast<float>(p.z()));
   }
   std::sort(cells.begin(), cells.end());
   std::vector<Gap> gaps;
@@ -78,9 +92,6 @@ Borders
 bordersOf(const std::vector<Gap>& gaps)
 {
   constexpr std::uint64_t reach = 4; // cells
-  const auto isBefore = [](const Gap& gap, std::uint64_t column) {
-    return gap.column < column;
-  };
   Borders borders;
   for (const std::uint64_t step : {std::uint64_t{1}, std::uint64_t{1} << bits})
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -210,8 +221,43 @@ reliefOf(const std::vector<Gap>& gaps,
   return steps / std::max(all, 1.0);
 }
 
+/** @brief Returns the log-odds that scanners stand on an end of the air, as on a floor,
+ * and not anywhere in a room's width, nats: by their distances from the median height
+ * of the end about them, where a scanner sees it. At most 9 to 1 against it: they may
+ * stand on shelves. */
+double
+oddsOfStations(const std::vector<Gap>& gaps,
+               const std::vector<Eigen::Vector3d>& stations,
+               float Gap::*end)
+{
+  constexpr double usual =
+      1.6; // metres, give or take a quarter; a room is 3 times as wide
+  double odds = 0;
+  for (const Eigen::Vector3d& station : stations) {
+    std::vector<double> heights;
+    for (double x = -usual; x < usual; x += cell_size) {
+      const auto columnAt = [&](double y) {
+        return columnKey(station.head<2>() + Eigen::Vector2d(x, y));
+      };
+      for (auto gap =
+               std::lower_bound(gaps.begin(), gaps.end(), columnAt(-usual), isBefore);
+           gap != gaps.end() && gap->column <= columnAt(usual); ++gap)
+        if (gap->low < station.z() && station.z() < gap->high)
+          heights.push_back(std::abs(station.z() - (*gap).*end));
+    }
+    if (heights.empty())
+      continue;
+    const double off = 4 * (middleValue(heights) / usual - 1);
+    odds += std::log(3 * 4 / std::sqrt(2 * M_PI)) - off * off / 2;
+  }
+  return std::max(odds, -std::log(9));
+}
+
 EndSurface
-surfaceOf(const std::vector<Gap>& gaps, const Borders& borders, float Gap::*end)
+surfaceOf(const std::vector<Gap>& gaps,
+          const Borders& borders,
+          const std::vector<Eigen::Vector3d>& stations,
+          float Gap::*end)
 {
   const Pieces pieces = piecesOf(gaps, borders, end);
   EndSurface surface;
@@ -233,6 +279,7 @@ surfaceOf(const std::vector<Gap>& gaps, const Borders& borders, float Gap::*end)
   surface.pieces = std::exp(entropyOf(base));
   surface.relief = reliefOf(gaps, borders, pieces, end);
   surface.levels = entropyOfHeights(gaps, end);
+  surface.stations = oddsOfStations(gaps, stations, end);
   return surface;
 }
 
@@ -241,8 +288,11 @@ surfaceOf(const std::vector<Gap>& gaps, const Borders& borders, float Gap::*end)
 AirAlongAxis
 airAlong(const PointView& points,
          const std::vector<int>& indices,
-         const Eigen::Matrix3d& axes)
+         const Eigen::Matrix3d& axes,
+         std::vector<Eigen::Vector3d> stations)
 {
+  for (Eigen::Vector3d& station : stations)
+    station = axes * station;
   const std::vector<Gap> gaps = gapsAlong(points, indices, axes);
   AirAlongAxis air;
   if (gaps.empty())
@@ -253,8 +303,8 @@ airAlong(const PointView& points,
   const Borders borders = bordersOf(gaps);
   air.area = cell_area * static_cast<double>(gaps.size());
   air.height = middleValue(heights);
-  air.low = surfaceOf(gaps, borders, &Gap::low);
-  air.high = surfaceOf(gaps, borders, &Gap::high);
+  air.low = surfaceOf(gaps, borders, stations, &Gap::low);
+  air.high = surfaceOf(gaps, borders, stations, &Gap::high);
   return air;
 }
 

@@ -17,9 +17,10 @@ struct EndSurface {
       0;            ///< entropy of its heights in steps of 0.1 m, nats: the mean of
                     ///< those of the first gaps of all columns, of the second ones, ...
   double large = 0; ///< share of pieces of 2 square metres and more
-  double things = 0; ///< share of things
-  double relief = 0; ///< share of steps of 3 cm in 10 cm within large pieces
-  double pieces = 1; ///< number of large ones that do not stand out: exp(entropy)
+  double things = 0;   ///< share of things
+  double relief = 0;   ///< share of steps of 3 cm in 10 cm within large pieces
+  double pieces = 1;   ///< number of large ones that do not stand out: exp(entropy)
+  double stations = 0; ///< log-odds that scanners stand on it, not anywhere, nats
 };
 
 /** @brief The air along an axis: the gaps of 1.2 to 12 m between occupied cells of 0.1
@@ -32,9 +33,11 @@ struct AirAlongAxis {
 };
 
 /** @brief Measures the air along the third row of `axes`, a rotation times the unit of
- * the points in metres. O(n log n). */
+ * the points in metres. O(n log n).
+ * @param stations where scanners stood, as the points; empty if unknown */
 AirAlongAxis airAlong(const PointView& points,
                       const std::vector<int>& indices,
-                      const Eigen::Matrix3d& axes);
+                      const Eigen::Matrix3d& axes,
+                      std::vector<Eigen::Vector3d> stations);
 
 } // namespace pcl::sedr

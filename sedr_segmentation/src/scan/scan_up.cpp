@@ -90,6 +90,7 @@ class AirAlongAxes {
 public:
   AirAlongAxes(const PointView& points,
                const std::vector<int>& indices,
+               const std::vector<Eigen::Vector3d>& stations,
                const Eigen::Matrix3d& turn,
                bool may_be_in_feet,
                unsigned threads)
@@ -100,7 +101,7 @@ public:
         axes.row(static_cast<Eigen::Index>(k)) =
             (i < 3 ? 1 : foot) *
             turn.row(static_cast<Eigen::Index>((i % 3 + 1 + k) % 3));
-      air_[i / 3][i % 3] = airAlong(points, indices, axes);
+      air_[i / 3][i % 3] = airAlong(points, indices, axes, stations);
     });
   }
 
@@ -123,8 +124,9 @@ public:
           likelihoodOfAxis(air, std::min(1.0, share)) - std::log(rarity);
       const double ceiling = evidenceOfCeiling(air);
       for (const int sign : signs)
-        best = std::max(
-            best, {axis, sign, in_feet, nats - std::log1p(std::exp(-sign * ceiling))});
+        best = std::max(best, {axis, sign, in_feet,
+                               nats - std::log1p(std::exp(-sign * ceiling)) +
+                                   (sign > 0 ? air.low : air.high).stations});
     }
     return best;
   }
@@ -132,7 +134,8 @@ public:
   /** @brief Returns how much more likely a direction is up than its opposite, nats. */
   double signNats(const Direction& up) const
   {
-    return up.sign * evidenceOfCeiling(air_[up.is_in_feet ? 1 : 0][up.axis]);
+    const AirAlongAxis& air = air_[up.is_in_feet ? 1 : 0][up.axis];
+    return up.sign * (evidenceOfCeiling(air) + air.low.stations - air.high.stations);
   }
 
   /** @brief Returns a clause that another direction than z is up. */
@@ -175,18 +178,19 @@ private:
 UpDoubt
 doubtOfUp(const PointView& points,
           const std::vector<int>& indices,
+          const std::vector<Eigen::Vector3d>& stations,
           unsigned threads,
           const Priors& priors,
           bool unit_is_known)
 {
   UpDoubt doubt;
   doubt.tilt = tiltOf(points, indices, threads, priors);
-  const bool is_inclined = doubt.tilt.angle > UpDoubt::max_tilt;
-  const Eigen::Vector3d z = is_inclined ? doubt.tilt.up : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d z =
+      doubt.isInclined() ? doubt.tilt.up : Eigen::Vector3d::UnitZ();
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const AirAlongAxes air(points, indices, turn, !unit_is_known, threads);
+  const AirAlongAxes air(points, indices, stations, turn, !unit_is_known, threads);
   const auto upOf = [&](const Direction& up) -> Eigen::Vector3d {
     return up.sign * turn.row(static_cast<Eigen::Index>(up.axis));
   };
@@ -204,7 +208,7 @@ doubtOfUp(const PointView& points,
   const Eigen::Vector3d up = upOf(best);
   if (doubt.isDoubtful())
     doubt.reason = air.clauseOf(best, nameOf(up, priors), nameOf(z, priors));
-  else if (is_inclined)
+  else if (doubt.isInclined())
     doubt.reason = formatText(
         "the scan is inclined: its floors and ceilings, %.0f square metres of "
         "planes, stand at %.1f degrees to z, and its walls with them",
@@ -224,7 +228,7 @@ doubtOfUp(const PointView& points,
   if (best.is_in_feet)
     doubt.reason += formatText(", and scale it by %g, as it seems to be in feet", foot);
   doubt.reason += ", or say --z-up if it is right as it is";
-  if (is_inclined)
+  if (doubt.isInclined())
     doubt.nats = std::numeric_limits<double>::infinity();
   return doubt;
 }

@@ -17,16 +17,15 @@ namespace pcl::sedr {
  */
 struct UpDoubt {
   static constexpr double doubtful = 1.3;            ///< nats; few right scans reach it
-  static constexpr double certain = 5;               ///< no right scan reaches it
   static constexpr double max_tilt = 3 * M_PI / 180; ///< of a level scan, radians
 
   double nats = 0;    ///< log-likelihood of that direction less that of z
   std::string reason; ///< a sentence with the rotation that mends it; empty if none
-  ScanTilt tilt;      ///< of the scan; certain above `max_tilt`
+  ScanTilt tilt;      ///< of the scan, refused above `max_tilt`
   bool is_in_feet = false; ///< as the air along the likeliest direction is
 
   bool isDoubtful() const { return nats > doubtful; }
-  bool isCertain() const { return nats > certain; }
+  bool isInclined() const { return tilt.angle > max_tilt; }
 };
 
 /** @brief Returns which of six directions, along the axes of the scan or of its
@@ -39,11 +38,14 @@ struct UpDoubt {
  * the air. Of the two, floors have things on them: small pieces that stand out into the
  * air. Floors go on through doors, while walls and lintels part ceilings. Smooth relief
  * that things do not explain, such as slopes, vaults and ribs, is that of a ceiling.
- * None of these is certain. Feet are tried as well, unless the unit is known. An
- * inclined scan is certain, see tiltOf(). For thinned points; O(n log n).
+ * Scanners stand some 1.6 m above a floor. None of these is certain. Feet are tried as
+ * well, unless the unit is known. An inclined scan is certain, see tiltOf(). For
+ * thinned points; O(n log n).
+ * @param stations where scanners stood, if known
  * @param threads 0: all processors; the result does not depend on it */
 UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<int>& indices,
+                  const std::vector<Eigen::Vector3d>& stations,
                   unsigned threads = 1,
                   const Priors& priors = {},
                   bool unit_is_known = false);

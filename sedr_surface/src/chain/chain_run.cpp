@@ -41,6 +41,8 @@ ChainRun::fail(const std::string& reason)
   const std::string doubt = inchProblem(PointView(*chain_.cloud), 0);
   if (!doubt.empty())
     chain_.problem += "; " + doubt;
+  if (up_doubt_.isDoubtful() && reason != up_doubt_.reason)
+    chain_.problem += "; " + up_doubt_.reason;
   return false;
 }
 
@@ -71,10 +73,14 @@ ChainRun::checkScan()
     return fail(wrong);
   if (chain_.trust_up)
     return true;
+  std::vector<Eigen::Vector3d> stations;
+  for (const Eigen::Vector3f& place :
+       sight_ ? sight_->places() : std::vector<Eigen::Vector3f>())
+    stations.push_back(place.cast<double>());
   up_doubt_ = doubtOfUp(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-                        chain_.room_segmentation.getNumberOfThreads(), chain_.priors_,
-                        chain_.unit_is_known);
-  if (up_doubt_.isCertain())
+                        stations, chain_.room_segmentation.getNumberOfThreads(),
+                        chain_.priors_, chain_.unit_is_known);
+  if (up_doubt_.isInclined())
     return fail(up_doubt_.reason);
   if (up_doubt_.isDoubtful())
     warn({WarningKind::Up, {}, 0, 0, up_doubt_.reason});

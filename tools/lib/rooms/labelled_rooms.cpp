@@ -136,9 +136,9 @@ checkScan(const ToolCloud& cloud, bool trust_up)
   const std::string problem = scanProblem(points, all);
   if (!problem.empty())
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
-  const UpDoubt doubt = trust_up ? UpDoubt() : doubtOfUp(points, all, 0);
+  const UpDoubt doubt = trust_up ? UpDoubt() : doubtOfUp(points, all, {}, 0);
   const std::string sentence = "'" + cloud.path + "': " + doubt.reason;
-  if (doubt.isCertain())
+  if (doubt.isInclined())
     throw ToolError(sentence, NothingFound);
   if (doubt.isDoubtful())
     warnOnce(sentence);
