@@ -27,9 +27,9 @@ allIndices(std::size_t n)
  * Floors and ceilings: columns of air that end more than 10 cm off the model, and off
  * its noise; one warning a room for each if they make up 2 % of it, or as much as
  * furniture covers; and floor that was not seen if furniture cannot hide it. What may
- * be furniture by its size, see isAsFurniture(), does not count. Places within two cells of a wall or
- * column do not count, nor do those with points on the model, nor those outside of the
- * plan, which coverageOf() tells of.
+ * be furniture by its size, see isAsFurniture(), does not count. Places within two
+ * cells of a wall or column do not count, nor do those with points on the model, nor
+ * those outside of the plan, which coverageOf() tells of.
  *
  * Walls and sides of columns: places with nothing on them and something seen behind,
  * not before, which is in no other room, and ceilings that go on behind, if they make

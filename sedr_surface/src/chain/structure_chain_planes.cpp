@@ -26,7 +26,6 @@ ChainRun::partRooms(StageReport& report)
   std::vector<pcl::PointIndices> unused;
   if (!chain_.room_segmentation.segment(unused))
     return fail(chain_.room_segmentation.getErrorMessage() +
-                (up_doubt_.reason.empty() ? "" : "; " + up_doubt_.reason) +
                 (up_doubt_.is_in_feet && !chain_.unit_is_known
                      ? std::string("; ") + if_in_feet
                      : ""));
