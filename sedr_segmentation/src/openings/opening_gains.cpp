@@ -70,11 +70,11 @@ public:
     }
     else if (cell.isWithin())
       gain = weights_.within;
-    else if (cell.here == WallCell::Empty)
-      gain = !cell.is_known                   ? weights_.empty_outside
-             : cell.behind == WallCell::Empty ? 2 * weights_.empty
-                                              : weights_.empty;
-    else if (cell.is_known && cell.behind == WallCell::Empty)
+    else if (isNothing(cell.here))
+      gain = !cell.is_known           ? weights_.empty_outside
+             : isNothing(cell.behind) ? 2 * weights_.empty
+                                      : weights_.empty;
+    else if (cell.is_known && isNothing(cell.behind))
       gain = weights_.empty;
     return gain * cell_ * cell_;
   }
@@ -87,9 +87,9 @@ public:
         return weights_.reveal;
       if (o == WallCell::Seen && i == WallCell::Empty)
         return weights_.rim;
-      if (o == WallCell::Seen && i == WallCell::Hidden)
+      if (o == WallCell::Seen && (i == WallCell::Hidden || i == WallCell::Shaded))
         return 0.0;
-      if (o == i && o != WallCell::Hidden)
+      if ((o == i && o != WallCell::Hidden) || (isNothing(o) && isNothing(i)))
         return weights_.no_edge;
       return weights_.unseen_edge;
     };

@@ -49,8 +49,7 @@ areSame(const PlanOpening& a, const PlanOpening& b)
 {
   const Eigen::Vector2d way = (a.end - a.start).normalized();
   const Eigen::Vector2d left(-way.y(), way.x());
-  if (std::abs(left.dot((b.end - b.start).normalized())) >
-          opening_numbers.same_direction ||
+  if (std::abs(way.dot((b.end - b.start).normalized())) < opening_numbers.min_cosine ||
       std::abs(left.dot((b.start + b.end - a.start - a.end) / 2)) >
           opening_numbers.same_wall)
     return false;

@@ -17,7 +17,7 @@ struct OpeningWeights {
   double empty_outside = 8; ///< likewise of a face without another behind it
   // A metre of an edge.
   double reveal = 12;      ///< from a seen face to points within the wall
-  double rim = 5;          ///< from a seen face to nothing
+  double rim = 5;          ///< from a seen face to nothing; 0 in a shade
   double unseen_edge = -4; ///< hidden, or nothing on both sides
   double no_edge = -10;    ///< the same on both sides, as inside of an opening
   // An opening.
@@ -67,9 +67,8 @@ struct OpeningNumbers {
   double leaf_cell = 0.1;      ///< of a leaf, metres
   double max_closed = 0.5;     ///< share of a window in which a face was seen
   double back_step =
-      0.05; ///< between places where the side behind is looked up, metres
-  double same_direction = 0.26; ///< sine between two sides of one opening: 15 degrees
-  double same_wall = 0.6;  ///< across a wall between both sides of an opening, metres
+      0.05;               ///< between places where the side behind is looked up, metres
+  double same_wall = 0.6; ///< across a wall between both sides of an opening, metres
   double same_share = 0.3; ///< of the smaller of two that are one opening
   double inside = 0.05; ///< of a room beside its wall, where heights are read, metres
   double noise_band = 0.06;    ///< of the points that show the noise, metres
@@ -85,7 +84,7 @@ struct OpeningNumbers {
   double clear = 0.15;         ///< of rays from a face that they cross, metres
   double height_step = 0.25;   ///< between places where heights are read, metres
   double min_island = 4;       ///< around a loop that walls surround, metres
-  double min_cosine = 0.97;    ///< between sides of one wall: 14 degrees
+  double min_cosine = 0.97;    ///< between sides of one wall or opening: 14 degrees
 };
 
 inline const OpeningNumbers opening_numbers;

@@ -214,6 +214,30 @@ WallMap::follow(const WallSide& side,
     ++(share < 1 ? through : before)[i];
 }
 
+/** @brief Spreads the shades of things: one shades as far beside it as it stands before
+ * the face. */
+void
+WallMap::spread(std::vector<float>& shade) const
+{
+  const auto cell = static_cast<float>(cell_);
+  const auto take = [&](std::size_t i, std::size_t c, std::size_t r, float way) {
+    if (c < columns_ && r < rows_)
+      shade[i] = std::max(shade[i], shade[c * rows_ + r] - way * cell);
+  };
+  const auto takeFrom = [&](std::size_t i, std::size_t step) { // 1 or -1
+    const std::size_t c = i / rows_;
+    const std::size_t r = i % rows_;
+    take(i, c - step, r, 1);
+    take(i, c, r - step, 1);
+    take(i, c - step, r - step, 1.4142F);
+    take(i, c - step, r + step, 1.4142F);
+  };
+  for (std::size_t i = 0; i < shade.size(); ++i)
+    takeFrom(i, 1);
+  for (std::size_t i = shade.size(); i-- > 0;)
+    takeFrom(i, static_cast<std::size_t>(-1));
+}
+
 void
 WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
 {
@@ -221,6 +245,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
   std::vector<std::uint32_t> within(seen.size());
   std::vector<std::uint32_t> through(seen.size());
   std::vector<std::uint32_t> before(seen.size());
+  std::vector<float> shade(seen.size());
   for (const SightLine& ray : rays)
     follow(side, ray, through, before);
   for (const SidePoint& p : points_) {
@@ -233,13 +258,18 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
         p.height < floors_[c] + margin || p.height > ceilings_[c] - margin;
     if (p.offset > before_)
       continue; // so far away it hides something else
-    if (p.offset > std::max(tolerance_, opening_numbers.on_face))
+    if (p.offset > std::max(tolerance_, opening_numbers.on_face)) {
       ++before[i];
+      const bool is_wall = p.along < margin || p.along > length_ - margin;
+      if (!is_slab && !is_wall && rays.empty())
+        shade[i] = std::max(shade[i], p.offset);
+    }
     else if (p.offset >= -tolerance_)
       is_slab ? ++before[i] : ++seen[i];
     else if (p.offset > -depth_ + tolerance_)
       ++within[i];
   }
+  spread(shade);
   const std::vector<bool> is_recessed = recessedCells();
   std::vector<double> filled;
   for (const std::uint32_t n : seen)
@@ -261,6 +291,8 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
         cells_[i] = WallCell::Through;
       else if (before[i] > 0)
         cells_[i] = WallCell::Hidden;
+      else if (shade[i] > 0)
+        cells_[i] = WallCell::Shaded;
     }
 }
 

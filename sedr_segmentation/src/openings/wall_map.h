@@ -21,8 +21,17 @@ enum class WallCell : std::uint8_t {
   Within,  ///< points behind the face, not as deep as the wall
   Through, ///< rays that went on behind the face
   Hidden,  ///< points before the face only, or rays that ended before it
-  Empty    ///< nothing
+  Empty,   ///< nothing
+  Shaded   ///< nothing, and no rays are known; something before the face is as near as
+           ///< it stands before it
 };
+
+/** @brief Whether a scan shows nothing of a cell. */
+inline bool
+isNothing(WallCell state)
+{
+  return state == WallCell::Empty || state == WallCell::Shaded;
+}
 
 /** @brief A point beside a wall, in metres. */
 struct SidePoint {
@@ -85,6 +94,7 @@ private:
               const SightLine& ray,
               std::vector<std::uint32_t>& through,
               std::vector<std::uint32_t>& before) const;
+  void spread(std::vector<float>& shade) const;
   void closeGaps();
   std::vector<bool> recessedCells() const;
   std::size_t indexOf(const SidePoint& p) const;

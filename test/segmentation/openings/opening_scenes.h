@@ -73,13 +73,13 @@ public:
   }
 
   /** Scans the outer wall of the first room, at y = 0, with holes and their reveals. */
-  void scanOuterWall(const std::vector<Cut>& cuts)
+  void scanOuterWall(const std::vector<Cut>& cuts, const std::vector<Cut>& hidden = {})
   {
     sheet(0, 5, 0, 2.5, [&](double s, double z, double off) {
-      for (const Cut& cut : cuts)
-        if (cut.contains(s, z))
-          return;
-      add(s, off, z);
+      const auto isIn = [&](const Cut& cut) { return cut.contains(s, z); };
+      if (std::none_of(cuts.begin(), cuts.end(), isIn) &&
+          std::none_of(hidden.begin(), hidden.end(), isIn))
+        add(s, off, z);
     });
     for (const Cut& cut : cuts)
       reveals(cut, -0.2, 0);

@@ -144,6 +144,20 @@ TEST(OpeningDetection, ShadowOfAWardrobeIsNoOpening)
   EXPECT_TRUE(openingsOf(scene).empty());
 }
 
+TEST(OpeningDetection, ShadowBesideAShelfIsNoWayOut)
+{
+  TwoRooms scene(0.005);
+  const Cut shelf{1, 2.2, 0, 2.2};
+  const double front = 0.55;
+  const Eigen::Vector2d from(0.9, 3.5); // the scanner, 1.2 m up
+  const double scale = from.y() / (from.y() - front);
+  const double right = from.x() + scale * (shelf.to - from.x());
+  scene.scanOuterWall({}, {{shelf.from, right, 0, 1.2 + scale * (shelf.top - 1.2)}});
+  scene.scanSheet(shelf, front);
+  scene.scanMiddleWall({});
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
 TEST(OpeningDetection, RaysTellAShadowFromAnOpening)
 {
   TwoRooms scene(0.005);

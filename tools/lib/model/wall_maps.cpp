@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<char, 6> letters{'n', 's', 'w', 't', 'h', 'e'}; // as WallCell
+constexpr std::array<char, 7> letters{'n', 's', 'w', 't', 'h', 'e', 'e'}; // as WallCell
 
 /** @brief Returns the states in the middle of coarser cells, in runs, row by row from
  * the top. */

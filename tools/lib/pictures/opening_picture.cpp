@@ -11,13 +11,14 @@ namespace pcl::sedr::tools {
 namespace {
 
 /** In the order of WallCell. */
-constexpr std::array<std::pair<const char*, Colour>, 6> states{
+constexpr std::array<std::pair<const char*, Colour>, 7> states{
     {{"no room", colours::paper},
      {"seen on the wall", colours::other},
      {"within the wall", colours::detail},
      {"rays through", lightened(colours::detail, 0.5)},
      {"hidden", lightened(colours::floor, 0.5)},
-     {"nothing", Colour{250, 226, 140}}}};
+     {"nothing", Colour{250, 226, 140}},
+     {"nothing, beside something", lightened(Colour{250, 226, 140}, 0.5)}}};
 
 /** @brief Adds the cells of a map, runs of equal ones as a box. */
 void
