@@ -13,11 +13,38 @@ namespace pcl::sedr {
 
 namespace {
 
+/** @brief Whether the air of a gap goes all round what begins at a column, that is no
+ * longer than `most` columns in x and in y. */
+bool
+isFreeStanding(const AirGaps& air, std::uint32_t g, std::uint32_t column, int most)
+{
+  std::vector<std::uint32_t> met = {column};
+  Cell low = air.columns().cellOf(column);
+  Cell high = low;
+  for (std::size_t k = 0; k < met.size(); ++k)
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t next = air.columns().neighbour(met[k], d);
+      if (next == VoxelColumns::none)
+        return false;
+      if (air.goingOnFrom(air[g], next) != AirGaps::none ||
+          std::find(met.begin(), met.end(), next) != met.end())
+        continue;
+      met.push_back(next);
+      const Cell at = air.columns().cellOf(next);
+      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+      if (std::max(high.x - low.x, high.y - low.y) >= most)
+        return false;
+    }
+  return true;
+}
+
 /** @brief The gap behind the wall at which another ends, `none` if there is none within
  * `reach` columns, or no wall as seen from either of the two: where air ends at stairs,
- * at furniture or at the edge of a gallery there is none. */
+ * at furniture or at the edge of a gallery there is none, nor at what stands free and
+ * is no longer than `thickest` columns, as columns are. */
 std::uint32_t
-facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach)
+facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach, int thickest)
 {
   std::uint32_t column = air[g].column;
   for (int step = 0; step <= reach; ++step) {
@@ -27,7 +54,8 @@ facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach)
     const std::uint32_t o = air.goingOnFrom(air[g], column);
     if (o != AirGaps::none) {
       const bool is_wall =
-          step > 0 && (isWallBeside(air, g, d) || isWallBeside(air, o, (d + 2) % 4));
+          step > 0 && (isWallBeside(air, g, d) || isWallBeside(air, o, (d + 2) % 4)) &&
+          !isFreeStanding(air, g, air.columns().neighbour(air[g].column, d), thickest);
       return is_wall ? o : AirGaps::none;
     }
   }
@@ -132,6 +160,8 @@ RoomBorders::measureBorders(const AirGaps& air, const std::vector<float>& dip)
 {
   const auto reach =
       static_cast<int>(std::lround(2 * parameters_.lintel_reach / cell_));
+  const auto thickest =
+      static_cast<int>(std::lround(parameters_.thickest_wall / cell_)) + 1;
   const std::vector<float> clear = distanceToLintel(air, dip, parameters_.lintel);
   for (std::uint32_t g = 0; g < air.size(); ++g) {
     if (!labels_.hasRoom(g))
@@ -140,7 +170,7 @@ RoomBorders::measureBorders(const AirGaps& air, const std::vector<float>& dip)
     for (int d = 0; d < 4; ++d) {
       const std::uint32_t o = air.link(g, d);
       const std::uint32_t faced =
-          o == AirGaps::none ? facedFrom(air, g, d, reach) : AirGaps::none;
+          o == AirGaps::none ? facedFrom(air, g, d, reach, thickest) : AirGaps::none;
       if (o == AirGaps::none)
         ++room.ends;
       else if (labels_.hasRoom(o) && !labels_.isSameRoom(o, g)) {

@@ -18,6 +18,17 @@ TEST(PartRooms, ABeamAcrossARoomPartsNothing)
     });
 }
 
+TEST(PartRooms, NorDoesOneOnColumns)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 24.05, 6.05, 0.01, 2.81);
+    scene.hanging(11.85, 0.05, 12.25, 6.05, 2.21, 2.81);
+    for (const double y : {1.45, 4.25})
+      scene.sides(11.85, y, 12.25, y + 0.4, 0.01, 2.21);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
 TEST(PartRooms, NorDoRibs)
 {
   forBothTurns([](AirScene& scene) {
