@@ -68,7 +68,9 @@ nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& s
     const std::pair<double, OpeningKind> likeliest = std::max(
         {std::pair(1.0, OpeningKind::Door), std::pair(window, OpeningKind::Window),
          std::pair(passage, OpeningKind::Passage)});
-    found.opening.confidence = likeliest.first / (1 + window + passage);
+    const bool is_low = likeliest.second != OpeningKind::Window &&
+                        found.opening.height() < sizes.min_head;
+    found.opening.confidence = is_low ? 0 : likeliest.first / (1 + window + passage);
     found.opening.kind = found.opening.confidence < opening_numbers.min_confidence
                              ? OpeningKind::Unknown
                              : likeliest.second;

@@ -125,6 +125,13 @@ TEST(OpeningDetection, WindowInACornerOfAPlanDrawnToItsPane)
   EXPECT_NEAR(found.top, cut.top, 0.02);
 }
 
+TEST(OpeningDetection, HatchOnTheFloorIsNoDoor)
+{
+  TwoRooms scene(0.005);
+  scene.scanMiddleWall({{1.5, 2.4, 0, 1.2}});
+  openingOf(scene, OpeningKind::Unknown);
+}
+
 TEST(OpeningDetection, WidePassage)
 {
   TwoRooms scene(0.005);
