@@ -285,6 +285,14 @@ private:
 
 } // namespace
 
+bool
+FacetChoice::explains(std::size_t cell, const FacetEvidence& evidence) const
+{
+  return evidence.cells.isInside(cell) && !evidence.cells.isEmpty(cell) &&
+         !facets.empty() &&
+         evidence.isExplained(costs[static_cast<std::size_t>(label[cell])].cost[cell]);
+}
+
 void
 FacetChoice::keep(const std::vector<std::size_t>& order)
 {

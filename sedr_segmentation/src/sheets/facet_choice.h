@@ -14,6 +14,9 @@ struct FacetChoice {
   std::vector<FacetCosts> costs;     ///< of each
   std::vector<std::int32_t> label;   ///< of each cell
 
+  /** @brief Checks whether a cell has points, and a facet that explains them. */
+  bool explains(std::size_t cell, const FacetEvidence& evidence) const;
+
   /** @brief Numbers facets anew, without those that `order` leaves out. */
   void keep(const std::vector<std::size_t>& order);
 

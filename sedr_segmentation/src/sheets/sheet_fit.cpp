@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facet_choice.h"
 
+#include "floor_pieces.h"
 #include "sheet_fit.h"
 #include "sheet_pieces.h"
 
@@ -68,7 +69,8 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
          const std::vector<std::uint8_t>& domain,
          const std::vector<double>& directions,
          const SheetParameters& parameters,
-         const std::vector<Eigen::Vector3d>& around)
+         const std::vector<Eigen::Vector3d>& around,
+         const FurnishedFloor* floor)
 {
   constexpr std::size_t min_points = 50;
   constexpr std::size_t max_a_cell = 5; // the last fit is to all
@@ -92,6 +94,8 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
   dropPieces(evidence, choice);
+  if (floor)
+    dropFurniture(evidence, around, *floor, choice);
   choice.sortBySize();
   if (choice.facets.empty())
     return sheet;
@@ -102,16 +106,10 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
   choice.sortBySize();
+  fillNearest(grid, choice.label);
   sheet.label = choice.label;
-  fillNearest(grid, sheet.label);
-
-  sheet.is_seen.assign(grid.count(), 0);
-  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
-    if (!domain[cell] || cells.isEmpty(cell))
-      continue;
-    const auto facet = static_cast<std::size_t>(sheet.label[cell]);
-    sheet.is_seen[cell] = evidence.isExplained(choice.costs[facet].cost[cell]) ? 1 : 0;
-  }
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    sheet.is_seen.push_back(choice.explains(cell, evidence) ? 1 : 0);
   takeFacets(cells, std::move(choice), sheet);
   return sheet;
 }

@@ -13,6 +13,8 @@
 
 namespace pcl::sedr {
 
+struct FurnishedFloor;
+
 /** @brief A ceiling in facets. */
 struct FacetSheet {
   static constexpr std::int32_t none = -1;
@@ -48,6 +50,7 @@ std::vector<Eigen::Vector3d> placesOf(const PointView& points,
  * of the walls: radians
  * @param around all points in and near the room: a border is cheap where they show a
  * riser; may be empty
+ * @param floor whose furniture is none of the facets; null: there is none
  * @return no facets where there are fewer than 50 points
  *
  * The same for any number of threads. O(n) a facet that is tried. */
@@ -56,7 +59,8 @@ FacetSheet fitSheet(const std::vector<Eigen::Vector3d>& points,
                     const std::vector<std::uint8_t>& domain,
                     const std::vector<double>& directions,
                     const SheetParameters& parameters = {},
-                    const std::vector<Eigen::Vector3d>& around = {});
+                    const std::vector<Eigen::Vector3d>& around = {},
+                    const FurnishedFloor* floor = nullptr);
 
 /** @brief As above, over what a loop encloses, in cells along its walls. */
 FacetSheet surfaceWithin(const PlanLoop& loop,

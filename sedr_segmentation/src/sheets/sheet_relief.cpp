@@ -93,11 +93,8 @@ addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
   const float outlier = evidence.outlier();
   std::vector<std::uint8_t> is_left(grid.count(), 0);
   for (std::size_t cell = 0; cell < grid.count(); ++cell)
-    is_left[cell] =
-        cells.isInside(cell) && !cells.isEmpty(cell) &&
-        (choice.facets.empty() ||
-         !evidence.isExplained(
-             choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell]));
+    is_left[cell] = cells.isInside(cell) && !cells.isEmpty(cell) &&
+                    !choice.explains(cell, evidence);
   const auto least = static_cast<std::size_t>(evidence.parameters.min_relief /
                                               (grid.size * grid.size));
   choice.label.resize(grid.count(), 0);

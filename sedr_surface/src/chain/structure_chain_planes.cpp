@@ -2,7 +2,7 @@
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
-#include "sedr_segmentation/src/planes/floor_parts.h"
+#include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include "chain_run.h"
 

@@ -2,7 +2,7 @@
 #include "chain_run.h"
 #include "seen_surfaces.h"
 
-#include "sedr_segmentation/src/planes/floor_parts.h"
+#include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include <algorithm>
 #include <cmath>
