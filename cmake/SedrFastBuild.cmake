@@ -7,6 +7,11 @@
 # this off to work with it.
 option(SEDR_FAST_BUILD "Compile headers once and folders as one file" ON)
 
+find_program(SEDR_MOLD mold) # links in a fifth of the time
+if(SEDR_FAST_BUILD AND SEDR_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
 # sedr_precompile_headers(name HEADERS more... LINK flags...) compiles headers for those who reuse
 # them. They are a target without definitions of its own: those must be the same wherever they are used.
 function(sedr_precompile_headers name)
