@@ -21,41 +21,30 @@ using BorderJunctions = std::map<CrackVertex, Eigen::Vector2d>;
 
 using Ends = std::vector<const BorderPart*>;
 
-/** @brief The crossing nearest to a place of two parts, `steps` of which are steps. */
-std::optional<Place>
-nearestCrossing(const Ends& parts, int steps, const Place& near, double farthest)
+/** @brief Where parts cross that come together near a place, of all crossings the
+ * nearest; where none do, on the first part there is. */
+Place
+meetingOf(const Ends& parts, const Place& near, double farthest)
 {
   std::optional<Place> best;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      if ((parts[i]->meets() ? 0 : 1) + (parts[j]->meets() ? 0 : 1) != steps)
-        continue;
       const auto place = crossing(*parts[i], *parts[j], near, farthest);
       if (!place || (*place - near).norm() >= nearest)
         continue;
       nearest = (*place - near).norm();
       best = place;
     }
-  return best;
-}
-
-/** @brief Where parts cross that come together near a place; where none do, on the
- * first one there is. Where facets meet counts more than where they step. */
-Place
-meetingOf(const Ends& parts, const Place& near, double farthest)
-{
-  for (const int steps : {0, 1, 2})
-    if (const auto place = nearestCrossing(parts, steps, near, farthest))
-      return *place;
+  if (best)
+    return *best;
   for (const BorderPart* part : parts)
     if (const auto place = part->project(near, farthest))
       return *place;
   return near;
 }
 
-/** @brief The junctions in the room: where the parts that end at a vertex cross, lines
- * on which facets meet before steps.
+/** @brief The junctions in the room: where the parts that end at a vertex cross.
  * @param parts of each chain */
 BorderJunctions
 junctionsOf(const SheetCracks& cracks,

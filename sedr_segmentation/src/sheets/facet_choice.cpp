@@ -41,8 +41,6 @@ public:
     for (std::size_t cell = 0; cell < cells_.grid().count(); ++cell)
       if (isSeen(cell))
         patches_ += evidence.weight();
-    const double strays = evidence.parameters.unevenness / evidence.deviation;
-    noise_share_ = std::max(0.0, 1 - strays * strays);
   }
 
   FacetChoice run(std::vector<FacetProposal> proposals)
@@ -206,19 +204,9 @@ private:
     refineShape(known.kind, cells_.pointsOf(own, 5000), evidence_.deviation,
                 refined.slab, settled);
     consider(refined);
-    for (const ShapeKind kind : kinds_) {
-      // What is left is noise, at least: another shape must earn its parameters.
-      const double cost_of_kind = penaltyOf(parametersOf(kind)) + noiseOver(own);
-      if (cost_of_kind < least)
-        consider(fitFacet(kind, evidence_, own));
-    }
+    for (const ShapeKind kind : kinds_)
+      consider(fitFacet(kind, evidence_, own));
     return best;
-  }
-
-  /** @brief What the noise of the points alone costs over some cells. */
-  double noiseOver(const std::vector<std::size_t>& cells) const
-  {
-    return 0.5 * noise_share_ * evidence_.weight() * static_cast<double>(cells.size());
   }
 
   /** @brief Fits every facet to its cells, and drops those without any. */
@@ -280,7 +268,6 @@ private:
   const CellPoints& cells_;
   std::vector<ShapeKind> kinds_; ///< that facets may be of
   double patches_ = 0;           ///< with points
-  double noise_share_ = 0; ///< of the points' noise in the variance of the deviation
 };
 
 } // namespace

@@ -24,7 +24,7 @@ isLevelFacet(const FacetChoice& choice, std::int32_t facet)
  */
 struct Piece {
   std::vector<std::size_t> cells;
-  double border = 0; ///< sides beside other facets and walls, as far as not hidden
+  double border = 0; ///< sides beside other facets and walls
   double closed = 0; ///< those of them that are closed
   double step = 0;   ///< sum of how much higher the facets beside it are, metres
   double sides = 0;  ///< beside other facets
@@ -158,17 +158,6 @@ private:
             evidence_.risers->share(cell, next, high - below, high) > 0);
   }
 
-  /** @brief Whether two facets meet between the middles of two cells. */
-  bool isCrease(std::size_t cell,
-                std::size_t next,
-                std::int32_t own,
-                std::int32_t other) const
-  {
-    return (heightOf(own, cell) - heightOf(other, cell)) *
-               (heightOf(own, next) - heightOf(other, next)) <=
-           0;
-  }
-
   Piece describe(std::vector<std::size_t> cells) const
   {
     Piece piece;
@@ -192,18 +181,13 @@ private:
           return;
         }
         const double beside = heightOf(is_wall ? main_ : other, cell);
-        const bool is_closed = isClosed(cell, next, height, beside) ||
-                               (!is_wall && isCrease(cell, next, own, other));
         if (!is_wall) {
           piece.beside.emplace(other, 0);
           piece.step += beside - height;
           piece.sides += 1;
         }
-        const bool is_hidden =
-            !is_wall && !is_closed && beside > height &&
-            evidence_.cells.isEmpty(parameters_.is_floor ? cell : next);
-        piece.border += is_hidden ? 0 : 1;
-        piece.closed += is_closed ? 1 : 0;
+        piece.border += 1;
+        piece.closed += isClosed(cell, next, height, beside) ? 1 : 0;
       });
     for (auto& [other, cost] : piece.beside)
       cost = costOver(other, piece.cells);
@@ -247,9 +231,7 @@ private:
 
   bool isLargeEnough(const Piece& piece) const
   {
-    const bool is_closed = piece.border > 0 && 2 * piece.closed >= piece.border;
-    return areaOf(piece) >=
-           (is_closed ? parameters_.min_closed_area : parameters_.min_area);
+    return areaOf(piece) >= parameters_.min_closed_area;
   }
 
   bool isBuiltSo(const Piece& piece) const
