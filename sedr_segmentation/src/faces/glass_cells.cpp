@@ -18,6 +18,7 @@ constexpr double frame = 0.2;
 struct CellHits {
   std::vector<float> wall;    ///< in the band below the ceiling
   std::vector<float> ceiling; ///< on the ceiling
+  CellMask any;               ///< at any height
 };
 
 /** @brief Marks the glass of a room from the hits in its cells. */
@@ -63,6 +64,11 @@ markGlass(const CellHits& hits,
     room.glass.values()[i] =
         density < p.few_hits * (*rank / wall_area) || density < p.few_hits * before;
   }
+  // Behind the sides of a column that few rays meet it is dark, behind a pane it is
+  // not.
+  const CellMask dark =
+      subtract(enclosedCells(unite(room.seen, room.solid)), dilated(hits.any, 1));
+  room.glass = subtract(room.glass, dilated(dark, 3));
 }
 
 } // namespace
@@ -109,6 +115,7 @@ findGlass(const PointView& scan,
   for (std::size_t r = 0; r < rooms.size(); ++r) {
     hits[r].wall.assign(rooms[r].seen.values().size(), 0);
     hits[r].ceiling = hits[r].wall;
+    hits[r].any = rooms[r].glass;
     if (rooms[r].seen.count() > 0)
       rooms_near.addIn(
           {grid.centre(rooms[r].seen.box().low), grid.centre(rooms[r].seen.box().high)},
@@ -131,6 +138,7 @@ findGlass(const PointView& scan,
       if (!near[r].at(cell))
         continue;
       const std::size_t at = near[r].indexOf(cell);
+      hits[r].any.values()[at] = 1;
       const double below = rooms[r].top[at] - q.z();
       if (below > frame && below < parameters.band)
         ++hits[r].wall[at];

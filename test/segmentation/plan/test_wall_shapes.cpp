@@ -211,6 +211,33 @@ TEST(WallShapes, ColumnsAreSquareOrRound)
   }
 }
 
+TEST(WallShapes, AColumnIsOneThoughFewRaysMeetThreeQuartersOfIt)
+{
+  for (const PlanLoop& column :
+       {circle({3, 2}, 0.25), rectangle(2.75, 1.75, 3.25, 2.25)}) {
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
+    truth.columns = {reversed(column)};
+    RoomPoints points(0.05, 0.003);
+    const RoomParts parts = points.room(truth);
+    RoomPoints dense(0.02);
+    dense.room(truth);
+    const auto full = dense.cloud();
+    const auto scan = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+    int met = 0;
+    for (const auto& p : *full)
+      if (std::hypot(p.x - 3, p.y - 2) > 0.4 || p.z < 0.1f || p.z > 2.4f ||
+          p.x + p.y < 4.75f || ++met % 8 == 0)
+        scan->push_back(p);
+    Fitting fitting;
+    setEvidence(points, evidenceOf(points, parts), fitting);
+    fitting.setRawCloud(scan);
+    Floorplan plan;
+    ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+    ASSERT_EQ(plan.rooms[0].columns.size(), 1u);
+    EXPECT_LT(outlineError(plan.rooms[0].columns[0], truth.columns[0]), 0.01);
+  }
+}
+
 TEST(WallShapes, AColumnBeforeAWallIsOne)
 {
   for (const double gap : {0.3, 0.6}) {
