@@ -7,8 +7,9 @@
 # this off to work with it.
 option(SEDR_FAST_BUILD "Compile headers once and folders as one file" ON)
 
-find_program(SEDR_MOLD mold) # links in a fifth of the time
-if(SEDR_FAST_BUILD AND SEDR_MOLD)
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=mold SEDR_HAS_MOLD) # it links in a fifth of the time
+if(SEDR_FAST_BUILD AND SEDR_BUILD_TESTS AND SEDR_HAS_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 

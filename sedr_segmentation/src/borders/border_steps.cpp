@@ -42,6 +42,14 @@ BorderSteps::append(const std::vector<Place>& vertices,
     part.through += shift;
     for (Place& sample : part.samples)
       sample += shift;
+    // What runs on along the same line is one step.
+    if (!parts.empty() && !parts.back().meets() &&
+        std::abs(parts.back().normal.dot(part.normal)) > 0.999 &&
+        std::abs(part.normal.dot(parts.back().through - part.through)) <
+            cracks_.cellSize()) {
+      parts.back().samples.push_back(part.samples.back());
+      continue;
+    }
     parts.push_back(std::move(part));
   }
 }
@@ -263,6 +271,27 @@ BorderSteps::bestShift(const BorderPart& part,
   return first > 0 && last < bins ? (low + high) / 2 : 0; // else points of one side
 }
 
+namespace {
+
+/** @brief Whether most around a vertex of a chain meet. */
+std::vector<bool>
+smoothed(const std::vector<std::optional<Place>>& met)
+{
+  constexpr std::ptrdiff_t around = 4; // vertices to each side
+  std::vector<bool> meets;
+  const auto count = static_cast<std::ptrdiff_t>(met.size());
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    int votes = 0;
+    for (std::ptrdiff_t n = std::max<std::ptrdiff_t>(0, k - around);
+         n <= std::min(count - 1, k + around); ++n)
+      votes += met[static_cast<std::size_t>(n)] ? 1 : -1;
+    meets.push_back(votes > 0);
+  }
+  return meets;
+}
+
+} // namespace
+
 std::vector<BorderPart>
 partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& steps)
 {
@@ -282,15 +311,17 @@ partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& s
   for (std::size_t k = 0; k < raw.size(); ++k)
     met.push_back(steps.mayMeet(raw[k], chain) ? meeting.project(raw[k], reach[k])
                                                : std::nullopt);
+  const std::vector<bool> meets = smoothed(met);
   std::vector<BorderPart> parts;
   for (std::size_t first = 0; first < raw.size();) {
     std::size_t last = first + 1;
-    while (last < raw.size() && met[last].has_value() == met[first].has_value())
+    while (last < raw.size() && meets[last] == meets[first])
       ++last;
-    if (met[first]) {
+    if (meets[first]) {
       parts.push_back(meeting);
       for (std::size_t k = first; k < last; ++k)
-        parts.back().samples.push_back(*met[k]);
+        if (met[k])
+          parts.back().samples.push_back(*met[k]);
     }
     else
       steps.append({raw.begin() + static_cast<std::ptrdiff_t>(first),

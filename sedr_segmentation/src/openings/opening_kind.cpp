@@ -70,10 +70,11 @@ nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& s
          std::pair(passage, OpeningKind::Passage)});
     const bool is_low = likeliest.second != OpeningKind::Window &&
                         found.opening.height() < sizes.min_head;
-    found.opening.confidence = is_low ? 0 : likeliest.first / (1 + window + passage);
-    found.opening.kind = found.opening.confidence < opening_numbers.min_confidence
-                             ? OpeningKind::Unknown
-                             : likeliest.second;
+    found.opening.confidence = likeliest.first / (1 + window + passage);
+    found.opening.kind =
+        is_low || found.opening.confidence < opening_numbers.min_confidence
+            ? OpeningKind::Unknown
+            : likeliest.second;
     if (found.opening.kind != OpeningKind::Door) {
       found.opening.hinge = OpeningHinge::Unknown;
       found.opening.swing = 0;

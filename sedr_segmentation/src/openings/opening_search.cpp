@@ -201,8 +201,6 @@ private:
       if (candidate.around < sizes_.min_around)
         continue;
       candidate.rectangle = fittedEdges(map, rectangle, sizes_);
-      if (candidate.rectangle.to - candidate.rectangle.from < sizes_.min_width)
-        continue;
       describe(candidate);
       const PlanOpening& o = candidate.opening;
       if (o.rooms[0] == o.rooms[1] &&

@@ -4,6 +4,8 @@
 #include "gap_distance.h"
 #include "wall_beside.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,16 +16,19 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Whether the air of a gap goes all round what begins at a column, that is no
- * longer than `most` columns in x and in y. */
+ * longer than `most` columns in x and in y, and half as thick as long at least: a pier
+ * between two openings is thinner. */
 bool
 isFreeStanding(const AirGaps& air, std::uint32_t g, std::uint32_t column, int most)
 {
+  const Cell first = air.columns().cellOf(column);
   std::vector<std::uint32_t> met = {column};
-  Cell low = air.columns().cellOf(column);
-  Cell high = low;
+  Eigen::Matrix2Xd places = Eigen::Vector2d::Zero();
   for (std::size_t k = 0; k < met.size(); ++k)
-    for (int d = 0; d < 4; ++d) {
-      const std::uint32_t next = air.columns().neighbour(met[k], d);
+    for (int d = 0; d < 8; ++d) { // beside it and across its corners
+      std::uint32_t next = air.columns().neighbour(met[k], d % 4);
+      if (d >= 4 && next != VoxelColumns::none)
+        next = air.columns().neighbour(next, (d + 1) % 4);
       if (next == VoxelColumns::none)
         return false;
       if (air.goingOnFrom(air[g], next) != AirGaps::none ||
@@ -31,12 +36,18 @@ isFreeStanding(const AirGaps& air, std::uint32_t g, std::uint32_t column, int mo
         continue;
       met.push_back(next);
       const Cell at = air.columns().cellOf(next);
-      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-      if (std::max(high.x - low.x, high.y - low.y) >= most)
+      places.conservativeResize(Eigen::NoChange, places.cols() + 1);
+      places.rightCols<1>() << at.x - first.x, at.y - first.y;
+      const Eigen::Vector2d extent =
+          places.rowwise().maxCoeff() - places.rowwise().minCoeff();
+      if (extent.maxCoeff() >= most)
         return false;
     }
-  return true;
+  places.colwise() -= places.rowwise().mean().eval();
+  const Eigen::Vector2d squares =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(places * places.transpose())
+          .eigenvalues();
+  return 4 * squares[0] >= squares[1];
 }
 
 /** @brief The gap behind the wall at which another ends, `none` if there is none within

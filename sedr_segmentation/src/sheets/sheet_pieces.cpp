@@ -24,7 +24,7 @@ isLevelFacet(const FacetChoice& choice, std::int32_t facet)
  */
 struct Piece {
   std::vector<std::size_t> cells;
-  double border = 0; ///< sides beside other facets and walls
+  double border = 0; ///< sides beside other facets and walls, as far as not hidden
   double closed = 0; ///< those of them that are closed
   double step = 0;   ///< sum of how much higher the facets beside it are, metres
   double sides = 0;  ///< beside other facets
@@ -186,8 +186,12 @@ private:
           piece.step += beside - height;
           piece.sides += 1;
         }
-        piece.border += 1;
-        piece.closed += isClosed(cell, next, height, beside) ? 1 : 0;
+        const bool is_closed = isClosed(cell, next, height, beside);
+        const bool is_hidden =
+            !is_wall && !is_closed && beside > height &&
+            evidence_.cells.isEmpty(parameters_.is_floor ? cell : next);
+        piece.border += is_hidden ? 0 : 1;
+        piece.closed += is_closed ? 1 : 0;
       });
     for (auto& [other, cost] : piece.beside)
       cost = costOver(other, piece.cells);

@@ -9,6 +9,8 @@ namespace pcl::sedr {
 /** @brief Leaves of a choice what is built. Level facets less than a step apart are
  * one. A piece of a facet goes to what is around it if it is too small, if it hangs
  * free like a lamp, or if less than half of its border is closed by risers, or low.
+ * Border that hides what is above a lower part of a ceiling, or in a pit, does not
+ * count.
  * O(cells), with risers seen. */
 void dropPieces(const FacetEvidence& evidence, FacetChoice& choice);
 

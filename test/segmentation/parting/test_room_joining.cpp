@@ -29,6 +29,16 @@ TEST(PartRooms, NorDoesOneOnColumns)
   });
 }
 
+TEST(PartRooms, APierBetweenTwoWaysIsAWall)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 2.95, 8.15, 0.01, 2.61);
+    for (const auto& [from, to] : {std::pair(0.05, 0.25), {1.15, 1.75}, {2.75, 2.95}})
+      scene.sides(from, 4.05, to, 4.15, 0.01, 2.61);
+    EXPECT_EQ(Parted(scene).rooms(), 2u);
+  });
+}
+
 TEST(PartRooms, NorDoRibs)
 {
   forBothTurns([](AirScene& scene) {

@@ -13,7 +13,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 /** What is vertical between two heights that was not seen. */
-enum class Hidden { Nothing, Risers, RisersAndWalls };
+enum class Hidden { Nothing, Risers, RisersInShadow, RisersAndWalls };
 
 /** A strip of the higher ceiling that the lower one hides: from y to y. */
 using Shadow = std::pair<double, double>;
@@ -42,7 +42,8 @@ detailsOf(const PlanRoom& truth,
     const Eigen::Vector3f p = points[i];
     const double to_wall = truth.boundary.distance(p.head<2>().cast<double>());
     return hidden != Hidden::Nothing && p.z() > 2.25 && p.z() < 2.45 &&
-           (hidden == Hidden::RisersAndWalls || to_wall > 0.02);
+           (hidden == Hidden::RisersAndWalls || to_wall > 0.02) &&
+           (hidden != Hidden::RisersInShadow || isInShadow(i));
   };
   std::vector<int> seen = points.all();
   seen.erase(std::remove_if(seen.begin(), seen.end(), isHidden), seen.end());
@@ -103,6 +104,16 @@ TEST(LevelSurface, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
     EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary), 0.02 + noise)
         << noise;
   }
+}
+
+TEST(LevelSurface, ABeamSeenFromOneSideHidesItsOther)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(0.01, 2.01, 5.01, 2.41), 2.2)};
+  const auto details =
+      detailsOf(room, false, 0, Hidden::RisersInShadow, Shadow(2.405, 3.3));
+  ASSERT_EQ(details.size(), 1u);
+  EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary), 0.03); // half a cell
 }
 
 TEST(LevelSurface, BeamsBelowASoffitPartItIntoFields)
