@@ -25,7 +25,8 @@ struct FloorPiece {
   double area = 0;  ///< seen, square metres
   double depth = 0; ///< twice the area by the rim, metres: of a strip its width
   double over = 0;  ///< mean height above the main plane, metres
-  double spare = 0; ///< sum of how much more room was seen above it than below it
+  double hides = 0; ///< of the area, off the rim: main plane seen below
+  double spare = 0; ///< area with more room above than below, less that with less
   double walls = 0; ///< length of its rim beside walls, metres
   double rim = 0;   ///< metres
   std::map<std::size_t, Border> borders; ///< with other pieces
@@ -53,7 +54,7 @@ isFloor(const FloorPiece& piece,
   }
   const double least =
       is_beside ? evidence.parameters.min_closed_area : priors.min_platform_area;
-  return piece.area >= least &&
+  return piece.area >= least && piece.hides <= priors.share_unseen * piece.area &&
          ((piece.spare >= 0 &&
            !isAsFurniture(piece.area, piece.depth, piece.over, priors)) ||
           (is_reached && held >= priors.share_little * piece.rim));
@@ -76,10 +77,16 @@ dropFurniture(const FacetEvidence& evidence,
               FacetChoice& choice)
 {
   const SheetGrid& grid = evidence.cells.grid();
+  const double cell_area = grid.size * grid.size;
   std::vector<double> highest(grid.count(), -std::numeric_limits<double>::infinity());
+  std::vector<std::uint8_t> shows_main(grid.count(), 0);
   for (const Eigen::Vector3d& p : around)
-    if (const std::size_t cell = grid.at(p.head<2>()); cell < highest.size())
+    if (const std::size_t cell = grid.at(p.head<2>()); cell < highest.size()) {
       highest[cell] = std::max(highest[cell], p.z());
+      if (std::abs(p.z() - floor.main.heightAt(p.head<2>())) <
+          floor.priors.min_floor_step)
+        shows_main[cell] = 1;
+    }
   const std::vector<std::int32_t> label = choice.label;
   const std::vector<std::vector<std::size_t>> cells_of = piecesOf(grid, label);
   std::vector<std::size_t> piece_of(label.size());
@@ -100,10 +107,7 @@ dropFurniture(const FacetEvidence& evidence,
       const double height = heightOf(piece.facet, cell);
       const double over = height - floor.main.heightAt(grid.centre(cell));
       piece.over += over / size;
-      if (choice.explains(cell, evidence)) {
-        piece.area += grid.size * grid.size;
-        piece.spare += std::max(highest[cell], height) - height - over;
-      }
+      const double rim = piece.rim;
       grid.forAllSides(cell, [&](std::size_t next) {
         if (label[next] == piece.facet)
           return;
@@ -116,8 +120,14 @@ dropFurniture(const FacetEvidence& evidence,
         border.length += grid.size;
         border.rise += grid.size * (heightOf(label[next], cell) - height);
       });
+      if (!choice.explains(cell, evidence))
+        continue;
+      piece.area += cell_area;
+      piece.spare += highest[cell] - height >= over ? cell_area : -cell_area;
+      if (piece.rim == rim && over > RiserBins::min_step && shows_main[cell])
+        piece.hides += cell_area;
     }
-    piece.depth = 2 * grid.size * grid.size * size / piece.rim;
+    piece.depth = 2 * cell_area * size / piece.rim;
     piece.is_floor = std::abs(piece.over) < floor.priors.min_floor_step;
   }
   for (bool has_grown = true; has_grown;) {
@@ -169,14 +179,15 @@ floorPoints(const PointView& points,
                                     placesOf(points, around), &furnished);
   if (sheet.facets.empty())
     return floor;
-  const auto facetAt = [&](const Eigen::Vector3f& p) -> const PlanSlab& {
+  const auto isOnFacet = [&](int i, const Eigen::Vector3f& p) {
     const std::size_t cell = grid.nearest(p.head<2>().cast<double>());
-    return sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
+    return sheet.is_inside[cell] &&
+           isOn(i, sheet.facets[static_cast<std::size_t>(sheet.label[cell])]);
   };
   floor.clear();
   for (const int i : ends)
     if (const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-        p.allFinite() && (isOn(i, main) || isOn(i, facetAt(p))))
+        p.allFinite() && (isOn(i, main) || isOnFacet(i, p)))
       floor.push_back(i);
   return floor;
 }

@@ -22,8 +22,9 @@ struct FurnishedFloor {
 bool isAsFurniture(double area, double depth, double height, const Priors& priors);
 
 /** @brief Takes from a choice the pieces that are of furniture. From the main plane
- * outwards, a piece is of the floor if it is larger than furniture, or reached by a
- * step and not higher than what is along a part of its rim.
+ * outwards, a piece is of the floor if the plane is not seen below it, and it is larger
+ * than furniture, or reached by a step and not higher than what is along a part of its
+ * rim.
  * @param around all points in and near the room */
 void dropFurniture(const FacetEvidence& evidence,
                    const std::vector<Eigen::Vector3d>& around,

@@ -94,8 +94,12 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
   dropPieces(evidence, choice);
-  if (floor)
+  if (floor) {
     dropFurniture(evidence, around, *floor, choice);
+    for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
+      if (choice.label[cell] == FacetSheet::none)
+        sheet.is_inside[cell] = 0;
+  }
   choice.sortBySize();
   if (choice.facets.empty())
     return sheet;

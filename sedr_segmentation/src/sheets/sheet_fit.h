@@ -20,7 +20,8 @@ struct FacetSheet {
   static constexpr std::int32_t none = -1;
 
   SheetGrid grid;
-  std::vector<std::uint8_t> is_inside; ///< of each cell: whether it is of the room
+  std::vector<std::uint8_t> is_inside; ///< of each cell: whether it is of the room,
+                                       ///< and of no furniture
   std::vector<std::uint8_t> is_seen;   ///< whether a facet explains points in it
   std::vector<std::int32_t> label;     ///< facet of each cell, beside the room too
   std::vector<PlanSlab> facets; ///< the largest first; inliers and residual known

@@ -30,8 +30,8 @@ struct SheetParameters {
   double step = 1;        ///< cost of a metre along which they miss each other by
                           ///< `full_step` or more
   double full_step = 0.2; ///< metres
-  double min_area = 0.4;  ///< of a facet, square metres
-  double min_closed_area = 0.25; ///< of one with risers around it
+  double min_area = 0.4;  ///< of a facet, square metres: half is seen of a proposal
+  double min_closed_area = 0.25; ///< of a connected part of one
   double min_relief = 1;         ///< of a free form, square metres
   double relief_spacing = 0.25;  ///< between its heights, metres
   double largest_radius = 40;    ///< of a vault; flatter ones are planes, metres

@@ -109,14 +109,21 @@ struct Furniture {
   const char* name;
   std::vector<PlanLoop> outlines;
   double height;
-  bool has_sides = true;
+  double clear = 0; ///< between the floor and the sides
   PlanLoop hidden{};
 };
 
 TEST(FloorPoints, OfFurnitureAreNone)
 {
   for (const Furniture& things :
-       {Furniture{"table", {rectangle(3.01, 2.01, 5.01, 3.01)}, 0.75, false},
+       {Furniture{"table", {rectangle(3.01, 2.01, 5.01, 3.01)}, 0.75, 0.75},
+        Furniture{"block of desks", {rectangle(0.81, 2.01, 7.21, 3.61)}, 0.74, 0.3},
+        Furniture{"table for a hall", {rectangle(0.01, 0.51, 8.01, 5.51)}, 0.75, 0.75},
+        Furniture{"desks 3 cm from each other",
+                  {rectangle(0.81, 2.01, 2.41, 3.61), rectangle(2.44, 2.01, 4.04, 3.61),
+                   rectangle(4.07, 2.01, 5.67, 3.61), rectangle(5.7, 2.01, 7.3, 3.61)},
+                  0.74,
+                  0.3},
         Furniture{"bed", {rectangle(3.01, 0.01, 5.01, 2.01)}, 0.5},
         Furniture{"row of wardrobes", {rectangle(0.01, 5.21, 8.01, 6.01)}, 2},
         Furniture{"double row of shelves", {rectangle(1.01, 2.01, 7.01, 3.21)}, 2},
@@ -133,32 +140,59 @@ TEST(FloorPoints, OfFurnitureAreNone)
             "beds that hide the floor between them",
             {rectangle(2.01, 0.01, 3.41, 2.01), rectangle(4.61, 0.01, 6.01, 2.01)},
             0.5,
-            true,
+            0,
             rectangle(3.41, 0.01, 4.61, 2.01)}}) {
     RoomPoints points(0.05, 0.005);
     const PlanRoom room = roomWith({"plain", {}});
     std::vector<int> ends = points.slab(room.boundary, 0, [&](double x, double y) {
       const auto isIn = [&](const PlanLoop& loop) { return loop.contains({x, y}); };
       return !isIn(things.hidden) &&
-             !(things.has_sides &&
-               std::any_of(things.outlines.begin(), things.outlines.end(), isIn));
+             std::none_of(things.outlines.begin(), things.outlines.end(), isIn);
     });
     const std::size_t floor = ends.size();
     points.slab(room.boundary, 3.4);
+    points.slab(rectangle(2.01, 2.31, 2.51, 2.81), 40); // what a mirror shows
     for (const PlanLoop& outline : things.outlines) {
+      if (things.clear > 0)
+        points.slab(outline, 0);
       for (const int i : points.slab(outline, things.height))
         ends.push_back(i);
       for (const PlanElement& side : outline.elements)
-        if (things.has_sides &&
-            (things.hidden.elements.empty() ||
-             things.hidden.distance((side.start + side.end) / 2) > 0.01))
-          points.wall(side, 0.05, things.height);
+        if (things.hidden.elements.empty() ||
+            things.hidden.distance((side.start + side.end) / 2) > 0.01)
+          points.wall(side, std::max(0.05, things.clear), things.height);
     }
     EXPECT_EQ(
         floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {}).size(),
         floor)
         << things.name;
   }
+}
+
+TEST(FloorPoints, OfABedBehindAChestBesideAPlatformOfItsHeightAreNone)
+{
+  RoomPoints points(0.05, 0.005);
+  const PlanLoop things = rectangle(2.61, 2.01, 5.01, 4.01);
+  std::vector<int> ends =
+      points.slab(rectangle(0.01, 0.01, 5.01, 6.01), 0, [&](double x, double y) {
+        return !things.contains({x, y});
+      });
+  points.slab(rectangle(0.01, 0.01, 8.01, 6.01), 3.4);
+  std::size_t last = 0; // ends that are of no bed
+  for (const auto& [outline, height] :
+       {std::pair{rectangle(4.61, 2.01, 5.01, 4.01), 0.9},
+        {rectangle(5.01, 0.01, 8.01, 6.01), 0.5},
+        {rectangle(2.61, 2.01, 4.61, 4.01), 0.5}}) {
+    last = ends.size();
+    for (const int i : points.slab(outline, height))
+      ends.push_back(i);
+    for (const PlanElement& side : outline.elements)
+      points.wall(side, 0.05, height);
+  }
+  const std::vector<int> floor =
+      floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {});
+  EXPECT_GT(floor.size(), last * 9 / 10); // all but the chest
+  EXPECT_LT(floor.back(), ends[last]);
 }
 
 } // namespace
