@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_regions.h"
 
+#include "part_ways.h"
 #include "reveal_search.h"
 
 #include "../labelling/minimum_cut.h"
@@ -90,7 +91,9 @@ public:
         subtract(subtract(closed(room.seen, 1.5), reveal_), around.opaque);
     core_ = intersect(eroded(open, core_depth), room.seen);
     core_ = largestRegion(core_);
-    solve(around, behind.back);
+    do
+      solve(around, behind.back);
+    while (joinParts(around));
   }
 
   RoomRegion region() const
@@ -148,6 +151,18 @@ private:
     return cells;
   }
 
+  /** @brief Fixes ways to parts that lie apart. Returns whether there is a new one. */
+  bool joinParts(const Surroundings& around)
+  {
+    const CellMask free = inverted(unite(around.opaque, around.others));
+    std::vector<float> worth(frame_.values().size());
+    for (std::size_t i = 0; i < worth.size(); ++i)
+      worth[i] = static_cast<float>(worthOf(i));
+    const std::size_t before = core_.count();
+    core_ = unite(core_, waysToParts(chosen(), core_, free, worth, size_));
+    return core_.count() > before;
+  }
+
   /** @brief Fills the holes in most of which the ceiling was seen: what stands below it
    * is no column. */
   void fillSeenHoles(CellMask& cells) const
@@ -165,15 +180,20 @@ private:
         cells.values()[i] = 1;
   }
 
-  void addCell(std::size_t i, BinaryEnergy& cut) const
+  /** @brief Returns what leaving a cell out costs more than taking it in. */
+  double worthOf(std::size_t i) const
   {
     const bool is_air = seen_.values()[i] && !reveal_.values()[i];
-    const double worth = // what leaving it out costs more than taking it in
-        size_ * size_ *
-        (is_air              ? energy_.seen
-         : seen_.values()[i] ? -energy_.reveal
-         : wall_.values()[i] ? -energy_.wall
-                             : -energy_.unseen);
+    return size_ * size_ *
+           (is_air              ? energy_.seen
+            : seen_.values()[i] ? -energy_.reveal
+            : wall_.values()[i] ? -energy_.wall
+                                : -energy_.unseen);
+  }
+
+  void addCell(std::size_t i, BinaryEnergy& cut) const
+  {
+    const double worth = worthOf(i);
     cut.addTerm(static_cast<std::size_t>(number_[i]), std::max(0.0, worth),
                 std::max(0.0, -worth));
   }
