@@ -29,6 +29,7 @@ main(int argc, char** argv)
   seen.keepSurfaces(0);
   VoxelColumns columns = seen;
   columns.closeDots(2, 0);
+  columns.closeHoles(4, 0);
   const AirGaps air(columns, seen, {}, &fine);
   const PartingParameters parameters;
   const auto reach = std::lround(parameters.lintel_reach / columns.cellSize());

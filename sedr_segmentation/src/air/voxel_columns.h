@@ -127,6 +127,12 @@ public:
    * dots is a surface. O(columns). */
   void closeDots(int reach, unsigned threads);
 
+  /** @brief Closes holes in surfaces that are narrower than `reach` columns in all
+   * directions: what closings of every layer along x, y and both diagonals have in
+   * common. A strip between two surfaces, behind a duct, stays open along itself.
+   * O(columns). */
+  void closeHoles(int reach, unsigned threads);
+
 private:
   VoxelColumns(const CellGrid& grid, double voxel_height)
       : grid_(grid)
@@ -168,10 +174,13 @@ private:
     return begin < tile.low || w >= tile.words ? 0 : wordsOf(column)[w];
   }
 
-  /** @brief Each voxel with those of its layer up to `reach` columns away along x
-   * (axis 0) or y (1): occupied where one of them is (`widens`), or all. */
+  /** @brief The next column along x (line 0), y (1) or a diagonal (2, 3), or `none`. */
+  std::uint32_t stepAlong(std::uint32_t column, int line, bool is_back) const;
+
+  /** @brief Each voxel with those of its layer up to `reach` columns away along a line
+   * of the plan, see stepAlong(): occupied where one of them is (`widens`), or all. */
   std::vector<std::uint64_t>
-  spreadAlong(int axis, int reach, bool widens, unsigned threads) const;
+  spreadAlong(int line, int reach, bool widens, unsigned threads) const;
 
   /** @brief Words of a column of a tile. */
   static std::int32_t wordsBetween(const TileHeights& range);

@@ -152,8 +152,19 @@ VoxelColumns::keepSurfaces(unsigned threads)
     bits_[k] &= all[k];
 }
 
+std::uint32_t
+VoxelColumns::stepAlong(std::uint32_t column, int line, bool is_back) const
+{
+  static constexpr std::array<std::array<int, 2>, 4> steps{
+      {{0, -1}, {1, -1}, {0, 1}, {0, 3}}}; // x, y, both diagonals: plan_directions
+  for (const int d : steps[static_cast<std::size_t>(line)])
+    if (d >= 0 && column != none)
+      column = neighbour(column, is_back ? (d + 2) % 4 : d);
+  return column;
+}
+
 std::vector<std::uint64_t>
-VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) const
+VoxelColumns::spreadAlong(int line, int reach, bool widens, unsigned threads) const
 {
   std::vector<std::uint64_t> spread(bits_.size(), 0);
   parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
@@ -166,7 +177,7 @@ VoxelColumns::spreadAlong(int axis, int reach, bool widens, unsigned threads) co
       for (const bool is_back : {false, true}) {
         std::uint32_t column = own;
         for (int step = 0; step < reach && column != none; ++step) {
-          column = neighbour(column, is_back ? axis + 2 : axis);
+          column = stepAlong(column, line, is_back);
           for (std::size_t w = 0; w < words; ++w) {
             const std::uint64_t other =
                 column == none
@@ -193,6 +204,22 @@ VoxelColumns::closeDots(int reach, unsigned threads)
       bits_ = spreadAlong(axis, each_way, widens, threads);
   for (std::size_t k = 0; k < bits_.size(); ++k)
     bits_[k] |= seen[k]; // at the rim of the tiles
+}
+
+void
+VoxelColumns::closeHoles(int reach, unsigned threads)
+{
+  const std::vector<std::uint64_t> seen = bits_;
+  std::vector<std::uint64_t> closed(bits_.size(), ~std::uint64_t{0});
+  for (int line = 0; line < 4; ++line) {
+    for (const bool widens : {true, false})
+      bits_ = spreadAlong(line, reach / 2, widens, threads);
+    for (std::size_t k = 0; k < bits_.size(); ++k)
+      closed[k] &= bits_[k];
+    bits_ = seen;
+  }
+  for (std::size_t k = 0; k < bits_.size(); ++k)
+    bits_[k] |= closed[k];
 }
 
 } // namespace pcl::sedr

@@ -38,11 +38,15 @@ halfOfThoseFilled(VoxelColumns columns, unsigned threads)
 
 /** @brief Columns with surfaces where a sparse scan shows dots. */
 VoxelColumns
-withDotsClosed(VoxelColumns columns, unsigned threads)
+withHolesClosed(VoxelColumns columns, unsigned threads)
 {
-  constexpr double widest = 0.2; // metres, between the dots of a surface
-  const auto reach = static_cast<int>(std::lround(widest / columns.cellSize()));
-  columns.closeDots(reach, threads);
+  constexpr double widest_gap = 0.2;  // metres, between the dots of a surface
+  constexpr double widest_hole = 0.4; // in a surface
+  const auto cells = [&](double metres) {
+    return static_cast<int>(std::lround(metres / columns.cellSize()));
+  };
+  columns.closeDots(cells(widest_gap), threads);
+  columns.closeHoles(cells(widest_hole), threads);
   return columns;
 }
 
@@ -254,7 +258,7 @@ findBuilding(const PointView& points,
   const PartingParameters of_parting;
   VoxelColumns seen = half.halved(parameters.threads);
   seen.keepSurfaces(parameters.threads); // before holes are closed to strays
-  const VoxelColumns columns = withDotsClosed(seen, parameters.threads);
+  const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
   const AirGaps air(columns, seen, airParameters(parameters), &half);
   Building building =
       describe(air, of_parting, fine, points, indices, parameters, behind);
