@@ -31,7 +31,6 @@ findOpenings(const PointView& points,
     return problem;
   OpeningParameters parameters;
   parameters.sizes.max_depth = priors.max_wall;
-  parameters.sizes.before = priors.max_furniture_depth;
   parameters.threads = threads;
   auto found =
       std::make_shared<OpeningSearch>(plan, points, indices.get(), sight, parameters);

@@ -36,7 +36,7 @@ struct OpeningSizes {
   double min_side = 0.4;       ///< length of a wall
   double max_depth = 0.6;      ///< of a wall: Priors::max_wall
   double shallow = 0.3;        ///< of a wall without a known face behind it
-  double before = 0.9;         ///< depth of what hides it: Priors::max_furniture_depth
+  double before = 1.2;         ///< depth of what hides it
   double on_floor = 0.06;      ///< maximum height of a threshold
   double min_around = 0.3;     ///< share of jambs and head with a wall beside them
   double beside = 0.1;         ///< distance from them, beyond the points of a corner
