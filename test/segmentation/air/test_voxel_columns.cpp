@@ -29,16 +29,6 @@ columnsOf(const RoomPoints& points)
   return VoxelColumns(points.view(), {}, cell, voxel_height, 1);
 }
 
-/** A point in the middle of each voxel. */
-RoomPoints
-pointsIn(const Voxels& voxels)
-{
-  RoomPoints points;
-  for (const auto& [x, y, k] : voxels)
-    points.point((x + 0.5) * cell, (y + 0.5) * cell, (k + 0.5) * voxel_height);
-  return points;
-}
-
 /** Returns all occupied voxels, read by runs. */
 Voxels
 voxelsOf(const VoxelColumns& columns)
@@ -50,37 +40,6 @@ voxelsOf(const VoxelColumns& columns)
         voxels.emplace(columns.cellOf(c).x, columns.cellOf(c).y, k);
     });
   return voxels;
-}
-
-/** Returns random voxels around the corner of four tiles and of their words. */
-Voxels
-cloudOfVoxels(int n)
-{
-  std::mt19937 random(7);
-  const auto within = [&](int low, int high) {
-    return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
-  };
-  Voxels voxels;
-  for (int i = 0; i < n; ++i)
-    voxels.emplace(within(-6, 6), within(-6, 6), within(-6, 6));
-  return voxels;
-}
-
-TEST(VoxelColumns, HalvedTheyHoldWhatOneOfFourHeld)
-{
-  const Voxels voxels = cloudOfVoxels(60);
-  Voxels expected;
-  for (const auto& [x, y, k] : voxels)
-    expected.emplace(x >> 1, y >> 1, k); // rounds down below 0, too
-  for (const unsigned threads : {1u, 3u}) {
-    const VoxelColumns half = columnsOf(pointsIn(voxels)).halved(threads);
-    EXPECT_EQ(half.cellSize(), 2 * cell);
-    EXPECT_EQ(voxelsOf(half), expected);
-  }
-  // Tiles of different heights in one, and two of another row.
-  const Voxels apart{{0, 0, 500}, {64, 0, -500}, {0, 127, 3}, {-1, -129, 0}};
-  EXPECT_EQ(voxelsOf(columnsOf(pointsIn(apart)).halved(1)),
-            (Voxels{{0, 0, 500}, {32, 0, -500}, {0, 63, 3}, {-1, -65, 0}}));
 }
 
 TEST(VoxelColumns, LoseStraysAndKeepTheEdgesOfSurfaces)
@@ -115,18 +74,6 @@ TEST(VoxelColumns, KeepAWallSeenSparselyBesideADenseHall)
                          [](const Voxel& v) { return std::get<0>(v) >= 0; });
   };
   EXPECT_GT(ofWall(after), 0.9 * static_cast<double>(ofWall(before)));
-}
-
-TEST(VoxelColumns, TellWhetherAScanFillsThem)
-{
-  RoomPoints plane(0.05);
-  plane.slab(rectangle(-3, -3, 3, 3), 0.01);
-  EXPECT_EQ(columnsOf(plane).usualCompany(1), 8);
-  RoomPoints sparse(0.2);
-  sparse.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01);
-  EXPECT_EQ(columnsOf(sparse).usualCompany(1), 0);
-  EXPECT_EQ(columnsOf(sparse).halved(1).usualCompany(3), 8);
-  EXPECT_EQ(columnsOf(RoomPoints()).usualCompany(1), 0);
 }
 
 TEST(VoxelColumns, ADenseSurfaceDoesNotMakeASparseScanDense)
