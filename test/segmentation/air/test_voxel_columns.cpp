@@ -104,17 +104,6 @@ TEST(VoxelColumns, TakeMemoryForWhatIsKeptAndNotForTheBox)
   EXPECT_TRUE(std::includes(all.begin(), all.end(), room.begin(), room.end()));
 }
 
-TEST(VoxelColumns, TakeNoPointsThatAreNotFinite)
-{
-  RoomPoints points;
-  points.point(0.05, 0.05, 0.01);
-  for (const double far : {std::nan(""), -double{INFINITY}, 1e30}) {
-    points.point(far, 0, 0);
-    points.point(0, 0, far);
-  }
-  EXPECT_EQ(voxelsOf(columnsOf(points)), (Voxels{{0, 0, 0}}));
-}
-
 TEST(VoxelColumns, AScanMayBeAsHighAsAMountain)
 {
   for (const double off : {-1e5, 1e5}) {

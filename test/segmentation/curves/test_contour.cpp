@@ -30,40 +30,6 @@ maskOf(const CellBox& box, IsSet isSet)
   return mask;
 }
 
-TEST(TraceContours, StepOneCellEdgeAndUseEveryEdgeOnce)
-{
-  std::mt19937 random(4);
-  const CellMask mask =
-      maskOf({{-9, 4}, {22, 30}}, [&](int, int) { return random() % 3 != 0; });
-  std::size_t edges = 0;
-  for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}})
-    for (std::size_t i = 0; i < mask.values().size(); ++i) {
-      const Cell c = mask.cellAt(i);
-      edges += mask.at(c) && !mask.at({c.x + d.x, c.y + d.y}) ? 1 : 0;
-    }
-  const auto contours = traceContours(mask, size);
-  std::size_t steps = 0;
-  double area = 0;
-  for (const auto& contour : contours) {
-    steps += contour.size();
-    area += signedArea(contour);
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Eigen::Vector2d way = contour[(i + 1) % contour.size()] - contour[i];
-      ASSERT_NEAR(way.lpNorm<1>(), size, 1e-12);
-      // The cell on the left is set, the one on the right is not.
-      const Eigen::Vector2d left(-way.y(), way.x());
-      const Eigen::Vector2d middle = contour[i] + way / 2;
-      const auto isSet = [&](const Eigen::Vector2d& p) {
-        return mask.at(CellGrid(size).at(p.x(), p.y())) != 0;
-      };
-      ASSERT_TRUE(isSet(middle + left / 2));
-      ASSERT_FALSE(isSet(middle - left / 2));
-    }
-  }
-  EXPECT_EQ(steps, edges);
-  EXPECT_NEAR(area, static_cast<double>(mask.count()) * size * size, 1e-9);
-}
-
 TEST(TraceContours, PartCellsThatTouchByACornerOnly)
 {
   for (const int down : {0, 1}) {
