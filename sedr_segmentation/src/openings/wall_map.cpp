@@ -261,7 +261,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     if (p.offset > std::max(tolerance_, opening_numbers.on_face)) {
       ++before[i];
       const bool is_wall = p.along < margin || p.along > length_ - margin;
-      if (!is_slab && !is_wall && rays.empty())
+      if (!is_slab && !is_wall)
         shade[i] = std::max(shade[i], p.offset);
     }
     else if (p.offset >= -tolerance_)

@@ -22,8 +22,7 @@ enum class WallCell : std::uint8_t {
   Through, ///< rays that went on behind the face
   Hidden,  ///< points before the face only, or rays that ended before it
   Empty,   ///< nothing
-  Shaded   ///< nothing, and no rays are known; something before the face is as near as
-           ///< it stands before it
+  Shaded   ///< nothing; something before the face is as near as it stands before it
 };
 
 /** @brief Whether a scan shows nothing of a cell. */

@@ -15,34 +15,6 @@ namespace {
 using namespace pcl::sedr;
 using sedr_test::Corners;
 
-constexpr double size = 0.05;
-
-/** A mask of the cells for which `isSet(x, y)`. */
-template <typename IsSet>
-CellMask
-maskOf(const CellBox& box, IsSet isSet)
-{
-  CellMask mask(box);
-  for (std::size_t i = 0; i < mask.values().size(); ++i) {
-    const Cell c = mask.cellAt(i);
-    mask.values()[i] = isSet(c.x, c.y) ? 1 : 0;
-  }
-  return mask;
-}
-
-TEST(TraceContours, PartCellsThatTouchByACornerOnly)
-{
-  for (const int down : {0, 1}) {
-    const auto contours = traceContours(
-        maskOf({{0, 0}, {3, 3}},
-               [&](int x, int y) { return (x < 2) == ((y < 2) == (down == 0)); }),
-        size);
-    ASSERT_EQ(contours.size(), 2u);
-    for (const auto& contour : contours)
-      EXPECT_NEAR(signedArea(contour), 4 * size * size, 1e-12);
-  }
-}
-
 TEST(CrossesItself, SaysWhetherEdgesThatAreNotNeighboursMeet)
 {
   EXPECT_FALSE(crossesItself({{0, 0}, {4, 0}, {4, 3}, {0, 3}}));

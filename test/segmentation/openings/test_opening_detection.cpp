@@ -164,6 +164,17 @@ TEST(OpeningDetection, ShadowBesideAShelfIsNoWayOut)
     scene.scanSheet(shelf, front);
     scene.scanMiddleWall({});
     EXPECT_TRUE(openingsOf(scene).empty()) << front;
+    std::vector<SightLine> few; // rays to the shelf
+    for (float x = 1.1F; x < 2.2F; x += 0.3F)
+      for (float z = 0.1F; z < 2.2F; z += 0.3F)
+        few.push_back({Eigen::Vector3f(0.9F, 3.5F, 1.2F),
+                       Eigen::Vector3f(x, static_cast<float>(front), z)});
+    pcl::OpeningDetection<pcl::PointXYZ> detection;
+    detection.setInputCloud(scene.cloud);
+    detection.setSightLines(std::make_shared<const SightLines>(few));
+    Floorplan plan = scene.plan;
+    ASSERT_TRUE(detection.segment(plan));
+    EXPECT_TRUE(plan.openings.empty()) << front;
   }
 }
 
