@@ -166,7 +166,8 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
   else
     squares += map.cell() * map.cell() / 4;
   fit.residual = std::sqrt(squares / 4);
-  if (fit.to - fit.from < sizes.min_width || fit.top - fit.bottom < sizes.min_height)
+  if (fit.to - fit.from < sizes.min_width / 2 ||
+      fit.top - fit.bottom < sizes.min_height / 2)
     return cells;
   return fit;
 }
