@@ -296,8 +296,8 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     }
 }
 
-/** @brief Makes empty cells between seen ones of a row seen where the gap is narrower
- * than any opening: points are sparse there. */
+/** @brief Makes cells of nothing between seen ones of a row seen where the gap is
+ * narrower than any opening: points are sparse there. */
 void
 WallMap::closeGaps()
 {
@@ -309,7 +309,7 @@ WallMap::closeGaps()
         continue;
       for (std::size_t k = last != none && c - last <= widest + 1 ? last + 1 : c; k < c;
            ++k)
-        if (WallCell& cell = cells_[k * rows_ + r]; cell == WallCell::Empty)
+        if (WallCell& cell = cells_[k * rows_ + r]; isNothing(cell))
           cell = WallCell::Seen;
       last = c;
     }

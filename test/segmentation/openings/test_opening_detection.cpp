@@ -226,6 +226,25 @@ TEST(OpeningDetection, ShadowBeforeASparseFaceDoesNotWidenADoor)
   EXPECT_NEAR(found[0].width(), door.to - door.from, 0.04);
 }
 
+TEST(OpeningDetection, WallBehindALeafOfWhichStripesWereSeenIsNoDoor)
+{
+  const Cut shade{1, 1.9, 0, 2.1};
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({}, {shade});
+  auto& points = scene.cloud->points;
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const pcl::PointXYZ& p) {
+                                return p.y > 4.1 && shade.contains(p.x, p.z) &&
+                                       std::lround(p.x / 0.015) % 8 != 0;
+                              }),
+               points.end());
+  scene.cloud->width = static_cast<std::uint32_t>(points.size());
+  scene.cloud->height = 1;
+  scene.scanLeaf(1.9, 4.0, -90, 0.9, 2.1);
+  scene.scanSheet(shade, 4.45, 31);
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
 TEST(OpeningDetection, SeveralInOneWall)
 {
   TwoRooms scene(0.005);
