@@ -16,6 +16,7 @@
 #include <vector>
 
 using namespace pcl::sedr::tools;
+using pcl::sedr::OpeningKind;
 using pcl::sedr::PlanEditor;
 
 namespace {
@@ -64,6 +65,17 @@ readLengths(const std::string& text, std::array<double, Count>& lengths)
   return true;
 }
 
+/** @brief Returns the kind of opening that a text names, unknown if none. */
+OpeningKind
+kindNamed(const std::string& text)
+{
+  for (const OpeningKind kind :
+       {OpeningKind::Door, OpeningKind::Window, OpeningKind::Passage})
+    if (text == nameOf(kind))
+      return kind;
+  return OpeningKind::Unknown;
+}
+
 /** @brief Applies all edits of a kind; throws ToolError with the first that fails. */
 void
 apply(const Kind& kind, const PlanEditor& editor)
@@ -93,6 +105,7 @@ main(int argc, char** argv)
   unsigned b = 0;
   std::array<double, 1> out{};
   std::array<double, 4> line{};
+  std::array<double, 2> place{};
   const auto readRoom = [&](std::string& text) {
     return takeNumber(text, "", a) && text.empty();
   };
@@ -120,6 +133,20 @@ main(int argc, char** argv)
        [&](const std::string&) { return editor.merge(a, b); }},
       {"drop", "ROOM: remove a room", "a room", readRoom,
        [&](const std::string&) { return editor.drop(a); }},
+      {"opening", "ROOM,X,Y=KIND: what the opening there is; none closes it",
+       "ROOM,X,Y=KIND, a kind door, window, passage or none",
+       [&](std::string& text) {
+         const std::size_t equal = std::min(text.find('='), text.size());
+         std::string where = text.substr(0, equal);
+         text.erase(0, equal + 1);
+         return takeNumber(where, ",", a) && readLengths(where, place) &&
+                (text == "none" || kindNamed(text) != OpeningKind::Unknown);
+       },
+       [&](const std::string& kind) {
+         const Eigen::Vector2d at(place[0], place[1]);
+         return kind == "none" ? editor.closeOpening(a, at)
+                               : editor.setOpening(a, at, kindNamed(kind));
+       }},
       {"name", "ROOM=TEXT: name a room", "ROOM=TEXT, such as 3=Kitchen",
        [&](std::string& text) { return takeNumber(text, "=", a); },
        [&](const std::string& text) { return editor.name(a, text); }}};

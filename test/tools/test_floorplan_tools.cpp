@@ -255,6 +255,9 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--move-wall", "1.-2=0.05"},
                               {"--split", "-1,2,-1,2,5"},
                               {"--merge", ""},
+                              {"--opening", "1,2,3"},
+                              {"--opening", "1,2=none"},
+                              {"--opening", "1,2,3=gate"},
                               {"--merge", "1,9"}}) {
     const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
     expectSentence(refused, 1, edit[0]);

@@ -141,6 +141,26 @@ TEST(PlanEditor, TellsWhatWallsCutOff)
                                        "of room 1"});
 }
 
+TEST(PlanEditor, AnOpeningIsSaidToBeAnotherOrClosed)
+{
+  Floorplan plan = twoRooms();
+  plan.openings[0].hinge = OpeningHinge::Start;
+  plan.openings[0].swing = 1;
+  plan.doorways = {{{1, 2}, {4.1, 1}, {4.1, 2}, 0, 2}, {{1, 0}, {0, 1}, {0, 2}, 0, 2}};
+  PlanEditor editor(plan);
+  EXPECT_FALSE(editor.closeOpening(1, {2, 1.5}));
+  EXPECT_EQ(editor.getErrorMessage(), "room 1 has no opening within 1 m of (2, 1.5)");
+  ASSERT_TRUE(editor.setOpening(2, {4.5, 2}, OpeningKind::Passage));
+  expectValid(editor);
+  EXPECT_EQ(editor.getFloorplan().openings[0].kind, OpeningKind::Passage);
+  EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::Unknown);
+  EXPECT_EQ(editor.getFloorplan().openings[0].confidence, 1);
+  ASSERT_TRUE(editor.closeOpening(1, {4, 1.5}));
+  expectValid(editor);
+  EXPECT_TRUE(editor.getFloorplan().openings.empty());
+  EXPECT_EQ(editor.getFloorplan().doorways.size(), 1U);
+}
+
 TEST(PlanEditor, ADroppedRoomIsOutside)
 {
   PlanEditor editor(twoRooms());

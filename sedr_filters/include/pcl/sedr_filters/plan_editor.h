@@ -53,6 +53,13 @@ public:
   /** @brief Moves a straight wall outwards, or inwards if the distance is below 0. */
   bool moveWall(std::uint32_t room, std::size_t wall, double distance);
 
+  /** @brief Says what the opening of a room is whose middle is nearest to a place, at
+   * most a metre from it; of a door the leaves stay. */
+  bool setOpening(std::uint32_t room, const Eigen::Vector2d& place, OpeningKind kind);
+
+  /** @brief Takes such an opening out: the wall is closed there. */
+  bool closeOpening(std::uint32_t room, const Eigen::Vector2d& place);
+
   const Floorplan& getFloorplan() const { return plan_; }
 
   /** @brief Returns why the last call failed; empty after one that did not. */
@@ -67,6 +74,12 @@ private:
    * reason against it and the outlines of rooms are loops that do not cross. */
   bool apply(std::uint32_t room,
              const std::function<std::string(Floorplan&, PlanRoom&)>& change);
+
+  /** @brief Applies a change to the opening of a room whose middle is nearest to a
+   * place, at most a metre from it. */
+  bool applyAt(std::uint32_t room,
+               const Eigen::Vector2d& place,
+               const std::function<void(Floorplan&, std::size_t)>& change);
 
   Floorplan plan_;
   std::string problem_;
