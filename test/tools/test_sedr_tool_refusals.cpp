@@ -155,6 +155,15 @@ TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
   EXPECT_NE(refused.err.find("12 of "), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
 
+  // Turned, a room whose walls are floors, and beside it walls in pairs without any.
+  RoomScan turned = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}, {4.13, 5.11, 5, 4.27}});
+  for (int k = 0; k < 4; ++k)
+    for (const double y : {0.7 * k, 0.7 * k + 2.7})
+      turned.addPiece({12 + 4.0 * k, y, 0}, {16 + 4.0 * k, y, 2.5}, Label::Wall, 0);
+  for (auto& p : turned.points)
+    std::swap(p.y, p.z);
+  expectFailure(onFile(turned.pcd(false), {"--no-mesh"}), 2, "y seems to be up");
+
   const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
   EXPECT_EQ(partial.exit_code, 0) << partial.err;
   EXPECT_NE(partial.err.find("warning"), std::string::npos) << partial.err;

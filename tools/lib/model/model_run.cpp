@@ -93,6 +93,9 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
   std::string reason = gap ? sentenceOf(*gap) : "";
   if (const std::string& doubt = chain.getChain().unit_doubt; !doubt.empty())
     reason += "; " + doubt;
+  for (const PlanWarning& warning : chain.getChain().warnings)
+    if (warning.kind == WarningKind::Up)
+      reason += "; " + sentenceOf(warning);
   throw ToolError("less than half of the floor that was seen could be modelled: " +
                       reason + "; say --partial for a model of what there is",
                   NothingFound);
