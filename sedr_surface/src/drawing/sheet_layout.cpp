@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace pcl::sedr {
@@ -76,19 +77,21 @@ mainDirection(const Floorplan& plan)
   double best_length = 0;
   for (std::size_t k = 0; k < walls.size(); k += walls.size() / most_tried + 1) {
     const double angle = walls[k].angle;
+    std::map<double, double> lengths; // by angles off this one
     double length = 0;
-    double turn = 0;
-    for (const Wall& wall : walls) {
-      const double off = std::remainder(wall.angle - angle, M_PI / 2);
-      if (std::abs(off) > along)
-        continue;
-      length += wall.length;
-      turn += off * wall.length;
-    }
+    for (const Wall& wall : walls)
+      if (const double off = std::remainder(wall.angle - angle, M_PI / 2);
+          std::abs(off) <= along) {
+        lengths[off] += wall.length;
+        length += wall.length;
+      }
     if (length <= best_length * (1 + 1e-9))
       continue;
     best_length = length;
-    best = std::remainder(angle + turn / length, M_PI / 2);
+    auto middle = lengths.begin(); // a wall that is off does not turn the others
+    for (double half = length / 2; half > middle->second; ++middle)
+      half -= middle->second;
+    best = std::remainder(angle + middle->first, M_PI / 2);
   }
   const bool do_agree = best_length > 0.3 * whole;
   return do_agree && std::abs(best) > min_turn ? best : 0;

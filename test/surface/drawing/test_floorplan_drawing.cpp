@@ -48,6 +48,13 @@ TEST(FloorplanDrawing, TheScaleIsTheLargestOfARulerThatFitsThePaper)
   EXPECT_EQ(scaleOf(rectangle(0, 0, 3000, 1000)), 10000);
 }
 
+TEST(FloorplanDrawing, AnObliqueWallDoesNotTurnTheSheet)
+{
+  Floorplan plan = planOf(polygon({{0, 0}, {5, 0}, {5.28, 6}, {0, 6}}));
+  plan.rooms.push_back(roomOf(polygon({{5, 0}, {9, 0}, {9, 6}, {5.28, 6}}), 2.5, 2));
+  EXPECT_EQ(PlanDrawing(plan, {}, 0).layout.frame.turn, 0);
+}
+
 TEST(FloorplanDrawing, AScaleThatIsAskedForHasThePaperItNeeds)
 {
   const Floorplan plan = planOf(rectangle(0, 0, 17, 10));
