@@ -68,6 +68,7 @@ SurfaceFit::run()
                    [&](std::size_t u, std::size_t) { (this->*step)(u); });
   };
   forAll(&SurfaceFit::start);
+  estimateErrors();
   for (int round = 0; round < rounds; ++round) {
     forAll(&SurfaceFit::refine);
     estimateErrors();
@@ -188,9 +189,10 @@ SurfaceFit::refine(std::size_t number)
   Unknown& u = unknowns_.all[number];
   if (!u.isSeen())
     return;
-  const double band =
-      std::min(parameters_.reach,
-               std::max(min_band, band_sigmas * std::hypot(u.noise, u.spread)));
+  const double band = std::min(
+      parameters_.reach,
+      std::max(min_band,
+               band_sigmas * std::hypot(std::min(u.noise, errors_.noise), u.spread)));
   std::vector<PatchMean>& patches = patches_[number];
   patches.clear();
   std::vector<Weighted> variances;

@@ -229,6 +229,18 @@ TEST(AdjustPlan, RevealsOfOpeningsDoNotMoveTheWall)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.0004);
 }
 
+TEST(AdjustPlan, NorDoThoseOfAWindowAsWideAsTheWallBelowALowLintel)
+{
+  RoomPoints raw(0.01, 0.01);
+  raw.room(plainRoom(), [&](const Vector3d& p) {
+    return p.y() > 1e-9 || p.z() > 2.5 || p.x() < 0.12 || p.x() > 3.88;
+  });
+  raw.slab(rectangle(0.12, -0.3, 3.88, 0), 2.5);
+  Floorplan plan = offPlan(plainRoom(), 0.01);
+  adjustPlan(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+}
+
 TEST(AdjustPlan, AWallThatIsHalfADegreeOffIsNotMadeSquare)
 {
   const double turn = 4 * std::tan(0.5 * M_PI / 180);
