@@ -174,13 +174,18 @@ assembleLoop(const LoopSolver& solver, std::size_t c)
   const double spacing =
       (contour.samples[1 % n].place - contour.samples[0].place).norm();
   const std::vector<Run> runs = runsOf(solver, c);
-  if (runs.size() == 1) {
+  const auto longest =
+      std::max_element(runs.begin(), runs.end(),
+                       [](const Run& a, const Run& b) { return a.length < b.length; });
+  const auto aloneOnLongest = [&] { // a circle all around
     const double length = spacing * static_cast<double>(n);
-    const PlanCurve& curve = solver.candidate(solver.labels(c).front()).curve();
+    const PlanCurve& curve = solver.candidate(longest->label).curve();
     const bool is_around =
         curve.isCircle() && std::abs(2 * M_PI * curve.radius - length) < length / 2;
     return is_around ? circleLoop(contour, curve) : PlanLoop();
-  }
+  };
+  if (runs.size() == 1)
+    return aloneOnLongest();
   PlanLoop loop;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const PlanElement e = elementOf(contour, runs[r], solver.candidate(runs[r].label));
@@ -190,6 +195,8 @@ assembleLoop(const LoopSolver& solver, std::size_t c)
     if ((next.start - runs[r].end).norm() > same_place)
       loop.elements.push_back(segment(runs[r].end, next.start));
   }
+  if (loop.elements.size() == 1)
+    return aloneOnLongest();
   // Elements that were too short leave gaps: their neighbours meet there.
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
     loop.elements[(i + 1) % loop.elements.size()].start = loop.elements[i].end;

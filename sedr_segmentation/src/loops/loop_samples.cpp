@@ -191,6 +191,19 @@ setAnchor(const float* areas, double outlier, LoopSample& sample)
   }
 }
 
+/** @brief Returns how far outwards the surfaces of a sample may lie: nearer to it than
+ * to where its room goes on, as on the other side of a column. */
+double
+reachOf(const LoopSample& sample, const CellMask& region, const CellGrid& grid)
+{
+  for (double t = 2 * grid.size(); t < 2 * outside; t += grid.size() / 2) {
+    const Eigen::Vector2d p = sample.place + t * sample.normal;
+    if (region.at(grid.at(p.x(), p.y())))
+      return std::max(t / 2, 2 * grid.size());
+  }
+  return outside;
+}
+
 } // namespace
 
 std::vector<LoopContour>
@@ -224,9 +237,10 @@ gatherBeside(const PlanPoints& walls,
   for (std::size_t i = 0; i < contour.samples.size(); ++i) {
     const LoopSample& sample = contour.samples[i];
     const Eigen::Vector2d along(-sample.normal.y(), sample.normal.x());
+    const double reach = reachOf(sample, *cells.region, grid);
     walls.forEachWithin(sample.place, outside, [&](const Eigen::Vector2d& p) {
       const double o = (p - sample.place).dot(sample.normal);
-      if (o > -inside && o < outside && std::abs((p - sample.place).dot(along)) < half)
+      if (o > -inside && o < reach && std::abs((p - sample.place).dot(along)) < half)
         contour.points.push_back(p);
     });
     contour.first.push_back(contour.points.size());

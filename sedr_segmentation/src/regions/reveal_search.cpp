@@ -83,10 +83,15 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   const double thickest =
       goes_on && is(next_, end) ? energy_.max_doorway : energy_.max_wall;
   const double shallow = 1.5 * size;
-  const bool is_open = in_gap || (depth > shallow && !is(next_, end) &&
-                                  !is(pillar_, end) && !has_lintel);
-  const bool is_reveal = depth > 0 && depth < thickest && !is(closed_, end) && is_open;
-  const bool is_shallow = goes_on && depth > shallow && depth < thickest;
+  // Behind a leaf in a reveal no air of the room is seen, behind a column there is.
+  bool is_column = false;
+  if (is(pillar_, end))
+    for (double d = depth + 3 * size; d < farthest; d += step)
+      is_column = is_column || is(seen_, p + d * out);
+  const bool is_open = in_gap || (depth > shallow && !is(next_, end) && !is(pillar_, end) && !has_lintel);
+  const bool may_be = depth > 0 && depth < thickest && !is_column;
+  const bool is_reveal = may_be && !is(closed_, end) && is_open;
+  const bool is_shallow = may_be && goes_on && depth > shallow;
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

@@ -238,6 +238,33 @@ TEST(WallShapes, AColumnIsOneThoughFewRaysMeetThreeQuartersOfIt)
   }
 }
 
+TEST(WallShapes, AColumnIsOneThoughASideOfItWasNotSeen)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
+  truth.columns = {reversed(rectangle(2.8, 1.8, 3.2, 2.2))};
+  RoomPoints points(0.05, 0.003);
+  const PlanRoom room = fitted(points, points.room(truth, [](const Eigen::Vector3d& p) {
+    return std::abs(p.x() - 3.2) > 0.02 || std::abs(p.y() - 2) > 0.22;
+  }));
+  ASSERT_EQ(room.columns.size(), 1u);
+  EXPECT_LT(outlineError(room.columns[0], truth.columns[0]), 0.05);
+}
+
+TEST(WallShapes, ColumnsBelowABeamAreOnes)
+{
+  for (const double degrees : {0.0, 21.0}) {
+    SCOPED_TRACE(degrees);
+    const Eigen::Vector2d at(0.02, 0.013);
+    PlanRoom truth = roomOf(placed(rectangle(0, 0, 12, 6), degrees, at), 3.4);
+    truth.details = {detailOf(placed(rectangle(0, 2.8, 12, 3.2), degrees, at), 2.9)};
+    truth.columns = {reversed(placed(rectangle(3, 2.8, 3.4, 3.2), degrees, at)),
+                     reversed(placed(circle({7, 3}, 0.22), degrees, at))};
+    const PlanRoom room = fitted(truth, 0.005);
+    EXPECT_EQ(room.boundary.elements.size(), 4u);
+    ASSERT_EQ(room.columns.size(), 2u);
+  }
+}
+
 TEST(WallShapes, AColumnBeforeAWallIsOne)
 {
   for (const double gap : {0.3, 0.6}) {
