@@ -88,7 +88,8 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   if (is(pillar_, end))
     for (double d = depth + 3 * size; d < farthest; d += step)
       is_column = is_column || is(seen_, p + d * out);
-  const bool is_open = in_gap || (depth > shallow && !is(next_, end) && !is(pillar_, end) && !has_lintel);
+  const bool is_open = in_gap || (depth > shallow && !is(next_, end) &&
+                                  !is(pillar_, end) && !has_lintel);
   const bool may_be = depth > 0 && depth < thickest && !is_column;
   const bool is_reveal = may_be && !is(closed_, end) && is_open;
   const bool is_shallow = may_be && goes_on && depth > shallow;

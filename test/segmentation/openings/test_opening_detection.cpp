@@ -376,5 +376,14 @@ TEST(OpeningDetection, PointsThatAreNotFiniteAreLeftOut)
   EXPECT_EQ(openingsOf(scene).size(), 1u);
 }
 
+TEST(OpeningDetection, ARoomWhoseFloorIsAboveItsCeilingHasNone)
+{
+  TwoRooms scene(0.005);
+  scene.scanMiddleWall({door});
+  for (PlanRoom& room : scene.plan.rooms)
+    room.floor = sedr_test::slabAt(2.9);
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
 } // namespace
 } // namespace pcl::sedr
