@@ -54,7 +54,7 @@ def runs_of(b, files, out):
     yield "floorplan_drawing", plan, [plan, out / "x.dxf"]
     yield "floorplan_extrusion", plan, [plan, out / "x.ply"]
     yield "floorplan_ifc", plan, [plan, out / "x.ifc"]
-    yield "floorplan_edit", plan, [plan, out / "x.json", "--square", "1"]
+    yield "floorplan_edit", plan, [plan, out / "x.json", "--square", "1", "--opening", "1,0,0=none"]
     yield "opening_detection", plan, [scan, plan, out / "x.json"]
     yield "structure_refinement", plan, [scan, plan, out / "x.pcd"]
     yield "vertical_hole_repair", plan, [scan, plan, out / "x.pcd"]

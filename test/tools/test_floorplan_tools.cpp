@@ -232,15 +232,29 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
   const TemporaryFolder folder;
   const std::string plan = (folder.path() / "plan.json").string();
   const std::string output = (folder.path() / "edited.json").string();
-  writeFile(plan, pcl::sedr::floorplanToJson({{roomOf(rectangle(0, 0, 5, 4), 2.5)}}));
+  pcl::sedr::Floorplan of_room{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  for (const double x : {3.0, 4.0})
+    of_room.openings.push_back({pcl::sedr::OpeningKind::Door,
+                                {1, 0},
+                                {{1, 0}},
+                                {x - 0.4, -0.1},
+                                {x + 0.4, -0.1},
+                                0,
+                                2,
+                                0,
+                                0.2});
+  writeFile(plan, pcl::sedr::floorplanToJson(of_room));
   const ProgramRun result =
-      run(FLOORPLAN_EDIT, {plan, output, "--move-wall", "1.2=-0.5", "--split",
-                           "1,2,-1,2,5", "--name", "1=Kitchen;2=a=b, c"});
+      run(FLOORPLAN_EDIT,
+          {plan, output, "--move-wall", "1.2=-0.5", "--split", "1,2,-1,2,5", "--name",
+           "1=Kitchen;2=a=b, c", "--opening", "2,3,0=none;2,4,0=window"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::string problem;
   const auto edited = pcl::sedr::floorplanFromJson(bytesOf(output), problem);
   ASSERT_EQ(edited.rooms.size(), 2U) << problem;
   EXPECT_NEAR(edited.rooms[0].area() + edited.rooms[1].area(), 4.5 * 4, 1e-9);
+  ASSERT_EQ(edited.openings.size(), 1U);
+  EXPECT_EQ(edited.openings[0].kind, pcl::sedr::OpeningKind::Window);
   EXPECT_EQ(edited.rooms[0].name + "|" + edited.rooms[1].name, "Kitchen|a=b, c");
   std::filesystem::remove(output);
   for (const Strings& edit : {Strings{"--move-wall", "1.2"},

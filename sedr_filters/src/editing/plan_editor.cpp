@@ -160,6 +160,10 @@ PlanEditor::setOpening(std::uint32_t room,
                        const Eigen::Vector2d& place,
                        OpeningKind kind)
 {
+  if (kind == OpeningKind::Unknown) {
+    problem_ = "an opening is a door, a window or a passage";
+    return false;
+  }
   return applyAt(room, place, [&](Floorplan& plan, std::size_t k) {
     PlanOpening& opening = plan.openings[k];
     if (kind != OpeningKind::Door) {

@@ -69,6 +69,8 @@ SurfaceFit::run()
   };
   forAll(&SurfaceFit::start);
   estimateErrors();
+  for (Unknown& u : unknowns_.all) // what is beside a surface is no noise of it
+    u.noise = std::min(u.noise, errors_.noise);
   for (int round = 0; round < rounds; ++round) {
     forAll(&SurfaceFit::refine);
     estimateErrors();
@@ -189,10 +191,9 @@ SurfaceFit::refine(std::size_t number)
   Unknown& u = unknowns_.all[number];
   if (!u.isSeen())
     return;
-  const double band = std::min(
-      parameters_.reach,
-      std::max(min_band,
-               band_sigmas * std::hypot(std::min(u.noise, errors_.noise), u.spread)));
+  const double band =
+      std::min(parameters_.reach,
+               std::max(min_band, band_sigmas * std::hypot(u.noise, u.spread)));
   std::vector<PatchMean>& patches = patches_[number];
   patches.clear();
   std::vector<Weighted> variances;

@@ -192,7 +192,7 @@ setAnchor(const float* areas, double outlier, LoopSample& sample)
 }
 
 /** @brief Returns how far outwards the surfaces of a sample may lie: nearer to it than
- * to where its room goes on, as on the other side of a column. */
+ * to where its room goes on, as on the other side of a column; two cells at least. */
 double
 reachOf(const LoopSample& sample, const CellMask& region, const CellGrid& grid)
 {

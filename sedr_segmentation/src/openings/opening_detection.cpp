@@ -4,6 +4,7 @@
 #include "opening_search.h"
 
 #include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/opening_detection.hpp>
 
@@ -27,6 +28,10 @@ findOpenings(const PointView& points,
     problem = "there are no points";
   if (problem.empty() && plan.rooms.empty())
     problem = "the floor plan has no rooms";
+  for (const PlanRoom& room : plan.rooms)
+    if (const RoomHeights z = heightsOf(room); problem.empty() && !(z.high > z.low))
+      problem =
+          "the floor of room " + std::to_string(room.id) + " lies above its ceiling";
   if (!problem.empty())
     return problem;
   OpeningParameters parameters;

@@ -8,7 +8,8 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Weights of the measures of an opening, nats: of each kind over a door. Fitted
- * by logistic regression, see doc/opening_detection.md. */
+ * by logistic regression, see doc/opening_detection.md; that of a filled passage was
+ * set, as closed double doors were missing. */
 struct KindWeights {
   OpeningFeatures window;
   OpeningFeatures passage;
@@ -17,7 +18,7 @@ struct KindWeights {
 const KindWeights kind_weights{
     // one raised sill room narrow wide tall low_lintel thin filled around leaf
     {{-1.6, 7.0, 4.7, -5.8, -2.8, 3.5, 0.9, 3.8, -0.1, -0.5, -2.7, -4}},
-    {{2.9, 2.6, 1.3, -1.0, 8.9, 4.6, 1.7, 1.2, -0.3, 0.3, -6.7, -4}}};
+    {{2.9, 2.6, 1.3, -1.0, 8.9, 4.6, 1.7, 1.2, -0.3, -2.0, -6.7, -4}}};
 
 double
 product(const OpeningFeatures& a, const OpeningFeatures& b)

@@ -296,7 +296,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     }
 }
 
-/** @brief Makes cells of nothing between seen ones of a row seen where the gap is
+/** @brief Makes cells without points between seen ones of a row seen where the gap is
  * narrower than any opening: points are sparse there. */
 void
 WallMap::closeGaps()

@@ -34,7 +34,7 @@ addHeights(const PlanRoom& room, WallSide& side)
     side.floor = std::min(side.floor, room.floorAt(p));
     side.ceiling = std::max(side.ceiling, room.ceilingAt(p));
   }
-  side.ceiling = std::max(side.ceiling, side.floor); // of a wrong plan it is below
+  side.ceiling = std::max(side.ceiling, side.floor); // below it in a wrong plan
 }
 
 /** @brief Leads straight sides on over the bays at their ends: where the boundary of

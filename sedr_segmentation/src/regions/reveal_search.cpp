@@ -86,13 +86,13 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   // Behind a leaf in a reveal no air of the room is seen, behind a column there is.
   bool is_column = false;
   if (is(pillar_, end))
-    for (double d = depth + 3 * size; d < farthest; d += step)
-      is_column = is_column || is(seen_, p + d * out);
+    for (double d = depth + 3 * size; d < farthest && !is_column; d += step)
+      is_column = is(seen_, p + d * out);
   const bool is_open = in_gap || (depth > shallow && !is(next_, end) &&
                                   !is(pillar_, end) && !has_lintel);
-  const bool may_be = depth > 0 && depth < thickest && !is_column;
-  const bool is_reveal = may_be && !is(closed_, end) && is_open;
-  const bool is_shallow = may_be && goes_on && depth > shallow;
+  const bool is_recess = depth > 0 && depth < thickest && !is_column;
+  const bool is_reveal = is_recess && !is(closed_, end) && is_open;
+  const bool is_shallow = is_recess && goes_on && depth > shallow;
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

@@ -150,6 +150,7 @@ TEST(PlanEditor, AnOpeningIsSaidToBeAnotherOrClosed)
   PlanEditor editor(plan);
   EXPECT_FALSE(editor.closeOpening(1, {2, 1.5}));
   EXPECT_EQ(editor.getErrorMessage(), "room 1 has no opening within 1 m of (2, 1.5)");
+  EXPECT_FALSE(editor.setOpening(2, {4.5, 2}, OpeningKind::Unknown));
   ASSERT_TRUE(editor.setOpening(2, {4.5, 2}, OpeningKind::Passage));
   expectValid(editor);
   EXPECT_EQ(editor.getFloorplan().openings[0].kind, OpeningKind::Passage);

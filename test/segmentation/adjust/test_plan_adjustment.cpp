@@ -229,7 +229,22 @@ TEST(AdjustPlan, RevealsOfOpeningsDoNotMoveTheWall)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.0004);
 }
 
-TEST(AdjustPlan, NorDoThoseOfAWindowAsWideAsTheWallBelowALowLintel)
+TEST(AdjustPlan, ADarkWallIsNoisierThanTheOthers)
+{
+  const auto isDark = [](const Vector3d& p) { return p.y() < 1e-9; };
+  RoomPoints raw(0.02, 0.002);
+  raw.room(plainRoom(), [&](const Vector3d& p) { return !isDark(p); });
+  RoomPoints dark(0.02, 0.02);
+  dark.wall(segment({0, 0}, {4, 0}), 0, 2.6);
+  const auto cloud = raw.cloud();
+  *cloud += *dark.cloud();
+  Floorplan plan = offPlan(plainRoom(), 0.01);
+  adjustPlan(plan, PointView(*cloud));
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+  EXPECT_NEAR(plan.rooms[0].boundary.elements[0].residual, 0.02, 0.003);
+}
+
+TEST(AdjustPlan, SoffitOfAWindowAsWideAsTheWallDoesNotMoveItsLowLintel)
 {
   RoomPoints raw(0.01, 0.01);
   raw.room(plainRoom(), [&](const Vector3d& p) {

@@ -128,6 +128,15 @@ public:
     });
   }
 
+  template <typename Test>
+  void leaveOut(const Test& test)
+  {
+    auto& points = cloud->points;
+    points.erase(std::remove_if(points.begin(), points.end(), test), points.end());
+    cloud->width = static_cast<std::uint32_t>(points.size());
+    cloud->height = 1;
+  }
+
   Floorplan plan;
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud{new pcl::PointCloud<pcl::PointXYZ>};
 

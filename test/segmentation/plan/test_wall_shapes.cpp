@@ -250,7 +250,7 @@ TEST(WallShapes, AColumnIsOneThoughASideOfItWasNotSeen)
   EXPECT_LT(outlineError(room.columns[0], truth.columns[0]), 0.05);
 }
 
-TEST(WallShapes, ColumnsBelowABeamAreOnes)
+TEST(WallShapes, ColumnsBelowABeamAreFound)
 {
   for (const double degrees : {0.0, 21.0}) {
     SCOPED_TRACE(degrees);
@@ -262,6 +262,9 @@ TEST(WallShapes, ColumnsBelowABeamAreOnes)
     const PlanRoom room = fitted(truth, 0.005);
     EXPECT_EQ(room.boundary.elements.size(), 4u);
     ASSERT_EQ(room.columns.size(), 2u);
+    const bool is_round = arcsOf(room.columns[0]) > 0; // the first
+    EXPECT_LT(outlineError(room.columns[is_round ? 1 : 0], truth.columns[0]), 0.01);
+    EXPECT_LT(outlineError(room.columns[is_round ? 0 : 1], truth.columns[1]), 0.04);
   }
 }
 

@@ -54,7 +54,7 @@ public:
   bool moveWall(std::uint32_t room, std::size_t wall, double distance);
 
   /** @brief Says what the opening of a room is whose middle is nearest to a place, at
-   * most a metre from it; of a door the leaves stay. */
+   * most a metre from it: a door, a window or a passage; its confidence is 1 then. */
   bool setOpening(std::uint32_t room, const Eigen::Vector2d& place, OpeningKind kind);
 
   /** @brief Takes such an opening out: the wall is closed there. */
