@@ -4,7 +4,6 @@
 #include "tools/scans/e57_writer.h"
 #include "tools/scans/las_writer.h"
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>

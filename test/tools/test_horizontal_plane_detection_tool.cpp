@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labelling_tools.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace {

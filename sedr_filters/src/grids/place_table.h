@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -4,7 +4,6 @@
 #include "../base/number_text.h"
 #include "level_planes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>

@@ -5,7 +5,6 @@
 #include "../surface/cell_pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -5,7 +5,6 @@
 
 #include "../curves/contour.h"
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contour.h"
 
+#include "sedr_filters/src/plan/plan_arcs.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -59,12 +61,6 @@ follow(const CellMask& mask,
       }
   }
   return contour;
-}
-
-double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 bool

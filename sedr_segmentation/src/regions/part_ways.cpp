@@ -2,7 +2,6 @@
 #include "part_ways.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

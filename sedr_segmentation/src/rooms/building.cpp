@@ -9,8 +9,6 @@
 #include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_segmentation/building.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

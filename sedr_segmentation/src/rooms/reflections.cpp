@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reflections.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

@@ -9,7 +9,6 @@
 #include "sedr_filters/src/grids/cell_mask.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

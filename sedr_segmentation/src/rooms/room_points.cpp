@@ -6,7 +6,6 @@
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -5,7 +5,6 @@
 #include "sheet_grid.h"
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>

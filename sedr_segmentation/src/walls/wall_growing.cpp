@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <utility>
 
 namespace pcl::sedr {
 

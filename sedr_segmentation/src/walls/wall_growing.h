@@ -6,7 +6,6 @@
 #include <pcl/types.h>
 
 #include <string>
-#include <vector>
 
 namespace pcl::sedr {
 

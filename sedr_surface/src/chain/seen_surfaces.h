@@ -9,7 +9,6 @@
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <limits>

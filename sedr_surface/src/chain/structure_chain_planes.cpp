@@ -13,7 +13,6 @@
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl::sedr {

@@ -9,7 +9,6 @@
 #include "sedr_segmentation/src/curves/contour.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 

@@ -8,7 +8,6 @@
 #include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>

@@ -9,12 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <vector>
 
 // The example of doc/building_blocks.md, verbatim.
 

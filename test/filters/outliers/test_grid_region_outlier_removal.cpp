@@ -7,9 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <numeric>
-
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;

@@ -24,15 +24,6 @@ public:
   double mirrored = 0.25; ///< share of the rays at the pane
   bool has_room_behind = false;
 
-  /** Puts an empty yard behind the pane, whose far wall is as far from the pane as that
-   * of the room. */
-  void addYard()
-  {
-    has_room_behind = true;
-    behind_ = {Vector3d(6, 0, 0), Vector3d(12, 5, 2.6)};
-    boxes_behind_.clear();
-  }
-
   void scanFrom(const Vector3d& place, unsigned seed)
   {
     std::mt19937 random(seed);

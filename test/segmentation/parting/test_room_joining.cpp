@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parted_scenes.h"
 
-#include <tuple>
-
 namespace {
 
 using namespace pcl::sedr;

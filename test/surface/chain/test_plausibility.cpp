@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 using namespace pcl::sedr;
 using sedr_test::rectangle;
 using sedr_test::roomOf;

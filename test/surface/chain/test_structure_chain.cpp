@@ -7,11 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 

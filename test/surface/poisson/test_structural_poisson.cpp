@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <thread>
 
 using namespace pcl::sedr;
 using namespace sedr_test;

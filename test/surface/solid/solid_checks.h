@@ -88,14 +88,7 @@ expectPiece(const Solid& solid, double volume, int euler = 2)
 inline double
 facetArea(const pcl::sedr::PlanLoop& loop, double tolerance = 0.0005)
 {
-  const auto p = loop.polygon(tolerance);
-  double twice = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto& a = p[i];
-    const auto& b = p[(i + 1) % p.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
+  return polygon(loop.polygon(tolerance)).area();
 }
 
 } // namespace sedr_test

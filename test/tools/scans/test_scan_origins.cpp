@@ -8,8 +8,6 @@
 
 #include <pcl/io/pcd_io.h>
 
-#include <cmath>
-
 namespace {
 
 using namespace pcl::sedr::tools;

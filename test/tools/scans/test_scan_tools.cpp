@@ -6,8 +6,6 @@
 #include "sedr_filters/src/base/field_access.h"
 #include "tools/reading_settings.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 

@@ -6,7 +6,6 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace {

@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 
 namespace pcl::sedr::tools {
 

@@ -5,7 +5,6 @@
 #include <pcl/common/io.h>
 #include <pcl/sedr_filters/point_view.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace pcl::sedr::tools {

@@ -8,8 +8,6 @@
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/point_types.h>
 
-#include <Eigen/Geometry>
-
 namespace pcl::sedr::tools {
 
 /** @brief A cloud in a tool: all fields, and those that every stage uses. */

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ostream>
 
 namespace pcl::sedr::sim {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "json_view.h"
 
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
