@@ -131,64 +131,6 @@ PlanEditor::apply(std::uint32_t room,
 }
 
 bool
-PlanEditor::applyAt(std::uint32_t room,
-                    const Eigen::Vector2d& place,
-                    const std::function<void(Floorplan&, std::size_t)>& change)
-{
-  return apply(room, [&](Floorplan& plan, PlanRoom&) -> std::string {
-    constexpr double farthest = 1; // metres
-    std::size_t nearest = plan.openings.size();
-    double least = farthest;
-    for (std::size_t k = 0; k < plan.openings.size(); ++k) {
-      const PlanOpening& o = plan.openings[k];
-      const double distance = ((o.start + o.end) / 2 - place).norm();
-      if ((o.rooms[0] == room || o.rooms[1] == room) && distance <= least) {
-        nearest = k;
-        least = distance;
-      }
-    }
-    if (nearest == plan.openings.size())
-      return "room " + std::to_string(room) + " has no opening within 1 m of (" +
-             numberText(place.x()) + ", " + numberText(place.y()) + ")";
-    change(plan, nearest);
-    return {};
-  });
-}
-
-bool
-PlanEditor::setOpening(std::uint32_t room,
-                       const Eigen::Vector2d& place,
-                       OpeningKind kind)
-{
-  if (kind == OpeningKind::Unknown) {
-    problem_ = "an opening is a door, a window or a passage";
-    return false;
-  }
-  return applyAt(room, place, [&](Floorplan& plan, std::size_t k) {
-    PlanOpening& opening = plan.openings[k];
-    if (kind != OpeningKind::Door) {
-      opening.hinge = OpeningHinge::Unknown;
-      opening.swing = 0;
-      opening.state = OpeningState::Unknown;
-    }
-    opening.kind = kind;
-    opening.confidence = 1;
-  });
-}
-
-bool
-PlanEditor::closeOpening(std::uint32_t room, const Eigen::Vector2d& place)
-{
-  return applyAt(room, place, [&](Floorplan& plan, std::size_t k) {
-    Floorplan closed;
-    closed.openings = {plan.openings[k]};
-    closed.doorways = plan.doorways;
-    plan.doorways = otherDoorways(closed);
-    plan.openings.erase(plan.openings.begin() + static_cast<std::ptrdiff_t>(k));
-  });
-}
-
-bool
 PlanEditor::name(std::uint32_t room, const std::string& text)
 {
   return apply(room, [&](Floorplan&, PlanRoom& named) {

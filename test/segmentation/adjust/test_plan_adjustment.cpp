@@ -1,85 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_points.h"
-
-#include "sedr_segmentation/src/adjust/plan_adjustment.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
+#include "shaken_plans.h"
 
 namespace {
 
-using namespace pcl::sedr;
 using namespace sedr_test;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
-/** The parameters for plans that are off by some centimetres. */
-AdjustmentParameters
-ofCoarsePlans()
-{
-  AdjustmentParameters parameters;
-  parameters.coarse = 0.02;
-  return parameters;
-}
-
-/** Moves the corners of a loop at random, by up to `most` in x and y; arcs keep their
- * radius and their angles. */
-PlanLoop
-shaken(PlanLoop loop, double most, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> off(-most, most);
-  if (loop.elements.size() == 1) {
-    const Vector2d shift(off(random), off(random));
-    PlanElement& e = loop.elements[0];
-    for (Vector2d* place : {&e.centre, &e.start, &e.end})
-      *place += shift;
-    return loop;
-  }
-  PlanElement* before = &loop.elements.back();
-  for (PlanElement& e : loop.elements) {
-    e.start += Vector2d(off(random), off(random));
-    before->end = e.start;
-    before = &e;
-  }
-  for (PlanElement& e : loop.elements)
-    if (e.isArc()) { // the centre is on the bisector of the chord
-      const Vector2d middle = (e.start + e.end) / 2;
-      const Vector2d chord = e.end - e.start;
-      const double height = std::sqrt(e.radius * e.radius - chord.squaredNorm() / 4);
-      Vector2d across(-chord.y(), chord.x());
-      across *= (e.centre - middle).dot(across) < 0 ? -1 : 1;
-      e.centre = middle + height * across.normalized();
-    }
-  return loop;
-}
-
-double
-cornerError(const PlanLoop& loop, const PlanLoop& truth)
-{
-  double worst = 0;
-  for (std::size_t i = 0; i < truth.elements.size(); ++i)
-    worst = std::max(worst, (loop.elements[i].start - truth.elements[i].start).norm());
-  return worst;
-}
-
-/** A plan of one room that is off by up to `most`. */
-Floorplan
-offPlan(PlanRoom room, double most = 0.02, unsigned seed = 1)
-{
-  room.boundary = shaken(room.boundary, most, seed);
-  room.floor = slabAt(most / 2);
-  room.ceiling = slabAt(room.ceiling.heightAt({0, 0}) - most / 2);
-  return {{std::move(room)}};
-}
-
-PlanRoom
-plainRoom()
-{
-  return roomOf(rectangle(0, 0, 4, 3), 2.6);
-}
 
 TEST(AdjustPlan, ARoomWithNoiseIsMet)
 {
@@ -188,72 +112,6 @@ TEST(AdjustPlan, ColumnsNichesAndSoffitsAreMet)
   EXPECT_LT(cornerError(room.niches[0].boundary, truth.niches[0].boundary), 0.002);
   EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 5.1}), 0.8, 0.001);
   EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 5.1}), 2.2, 0.001);
-}
-
-TEST(AdjustPlan, WhatStandsBeforeAWallIsLeftOut)
-{
-  // A cupboard 4 cm before a third of the wall up to the ceiling, and boards 2 cm
-  // before all of it up to 1.2 m.
-  const auto isWall = [](const Vector3d& p) {
-    return p.y() > 1e-9 || (p.x() > 1.3 && p.z() > 1.2);
-  };
-  for (const double noise : {0.001, 0.005}) {
-    RoomPoints raw(0.02, noise);
-    raw.room(plainRoom(), isWall);
-    raw.wall(segment({0, 0.04}, {1.3, 0.04}), 0, 2.6);
-    raw.wall(segment({1.3, 0.02}, {4, 0.02}), 0, 1.2);
-    Floorplan plan = offPlan(plainRoom(), 0.01);
-    adjustPlan(plan, raw.view());
-    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001)
-        << noise;
-  }
-}
-
-TEST(AdjustPlan, RevealsOfOpeningsDoNotMoveTheWall)
-{
-  // Three windows whose reveals are 20 cm deep.
-  const auto isOpen = [](double s, double z) {
-    return std::fmod(s, 1.3) > 0.3 && z > 0.9 && z < 2.2;
-  };
-  RoomPoints raw(0.01, 0.004);
-  raw.room(plainRoom(),
-           [&](const Vector3d& p) { return p.y() > 1e-9 || !isOpen(p.x(), p.z()); });
-  for (const double x : {0.3, 1.6, 2.9})
-    for (const double jamb : {x, x + 1}) {
-      raw.wall(segment({jamb, 0}, {jamb, -0.2}), 0.9, 2.2);
-      for (const double z : {0.9, 2.2})
-        raw.slab(rectangle(x, -0.2, x + 1, 0), z);
-    }
-  Floorplan plan = offPlan(plainRoom(), 0.01);
-  adjustPlan(plan, raw.view());
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.0004);
-}
-
-TEST(AdjustPlan, ADarkWallIsNoisierThanTheOthers)
-{
-  const auto isDark = [](const Vector3d& p) { return p.y() < 1e-9; };
-  RoomPoints raw(0.02, 0.002);
-  raw.room(plainRoom(), [&](const Vector3d& p) { return !isDark(p); });
-  RoomPoints dark(0.02, 0.02);
-  dark.wall(segment({0, 0}, {4, 0}), 0, 2.6);
-  const auto cloud = raw.cloud();
-  *cloud += *dark.cloud();
-  Floorplan plan = offPlan(plainRoom(), 0.01);
-  adjustPlan(plan, PointView(*cloud));
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
-  EXPECT_NEAR(plan.rooms[0].boundary.elements[0].residual, 0.02, 0.003);
-}
-
-TEST(AdjustPlan, SoffitOfAWindowAsWideAsTheWallDoesNotMoveItsLowLintel)
-{
-  RoomPoints raw(0.01, 0.01);
-  raw.room(plainRoom(), [&](const Vector3d& p) {
-    return p.y() > 1e-9 || p.z() > 2.5 || p.x() < 0.12 || p.x() > 3.88;
-  });
-  raw.slab(rectangle(0.12, -0.3, 3.88, 0), 2.5);
-  Floorplan plan = offPlan(plainRoom(), 0.01);
-  adjustPlan(plan, raw.view());
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
 }
 
 TEST(AdjustPlan, AWallThatIsHalfADegreeOffIsNotMadeSquare)

@@ -75,12 +75,6 @@ private:
   bool apply(std::uint32_t room,
              const std::function<std::string(Floorplan&, PlanRoom&)>& change);
 
-  /** @brief Applies a change to the opening of a room whose middle is nearest to a
-   * place, at most a metre from it. */
-  bool applyAt(std::uint32_t room,
-               const Eigen::Vector2d& place,
-               const std::function<void(Floorplan&, std::size_t)>& change);
-
   Floorplan plan_;
   std::string problem_;
   std::vector<std::string> warnings_;
