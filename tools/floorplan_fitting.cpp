@@ -113,10 +113,9 @@ main(int argc, char** argv)
                     "edge of a cell of the outline", Range::between(0.01, 1));
   options.text("raw", settings.raw,
                "PCD or PLY file of the scan before thinning, to fit the plan to");
-  options.text(
-      "building", settings.building,
-      "JSON file of pcl_room_segmentation: the plan gets its storeys, doorways "
-      "and stairs");
+  options.text("building", settings.building,
+               "JSON file of pcl_room_segmentation: the plan gets its storeys "
+               "and stairs");
   settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, fitting); });
 }

@@ -2,6 +2,7 @@
 #include "bytes/whole_file.h"
 #include "picture_file.h"
 #include "plan_file.h"
+#include "rooms/building_file.h"
 #include "run_tool.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "stage_pictures.h"
@@ -21,6 +22,7 @@ struct Settings {
   std::string scan;
   std::string plan;
   std::string output;
+  std::string building;
   PictureFile picture;
 };
 
@@ -29,6 +31,9 @@ run(const Settings& settings, Detection& detection)
 {
   checkOutput(settings.output, "a floor plan", {".json"});
   settings.picture.check();
+  pcl::sedr::Building building;
+  if (!settings.building.empty())
+    building = loadBuilding(settings.building);
   pcl::sedr::PlanDocument file = loadPlan(settings.plan);
   pcl::sedr::Floorplan& plan = file.plan;
   ScanSettings in_same_frame;
@@ -44,6 +49,8 @@ run(const Settings& settings, Detection& detection)
   }
   writeWhole(settings.output, documentToJson(file));
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
+  for (const std::string& line : summaryOf(linksWithoutOpening(building, plan)))
+    warn(line);
   for (const pcl::sedr::PlanOpening& opening : plan.openings)
     say(pcl::sedr::formatText(
         "%s between rooms %u and %u: %.2f x %.2f m, from z %.2f m",
@@ -66,6 +73,9 @@ main(int argc, char** argv)
   options.file("PLAN.json", settings.plan,
                "floor plan, as pcl_floorplan_fitting writes it");
   options.file("OUTPUT.json", settings.output, "floor plan to write");
+  options.text("building", settings.building,
+               "JSON file of pcl_room_segmentation: tells where one walks from room to "
+               "room and no opening was found");
   settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, detection); });
 }

@@ -101,7 +101,7 @@ main(int argc, char** argv)
                     &Segmentation::setMinimumArea, "m2", "smallest room, with headroom",
                     Range::above(0));
   options.text("building", settings.building,
-               "JSON file for storeys, doorways and stairs");
+               "JSON file for storeys, links of rooms and stairs");
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");

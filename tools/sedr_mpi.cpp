@@ -34,7 +34,9 @@ makeModelTogether(const Ranks& ranks, ModelSettings& settings, Reconstruction& c
       chain.setOrigin(scan->origin());
       chain.setScanPositions(scan->positions());
     });
-    chain.setThinning([&] { return thinTogether(ranks, *scan, chain.getVoxelGrid()); });
+    chain.setThinning([&](const pcl::sedr::FindFrame& find_frame) {
+      return thinTogether(ranks, *scan, chain.getVoxelGrid(), find_frame);
+    });
     return scan->size();
   };
   if (ranks.rank() == 0)

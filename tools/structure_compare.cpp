@@ -58,7 +58,7 @@ run(const Settings& settings)
   const pcl::sedr::PlanDocument second = planOf(settings.after);
   const Floorplan& before = first.plan;
   const Floorplan after =
-      shifted(second.plan, second.origin.place - first.origin.place);
+      moved(second.plan, 0, second.origin.place - first.origin.place);
   const auto changes = comparePlans(before, after, settings.compare);
   for (const auto& change : changes)
     std::cout << describe(change) << '\n';

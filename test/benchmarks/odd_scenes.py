@@ -17,7 +17,7 @@ from buildings import runs
 
 MOST_OFF = 0.02     # share of a surface more than 5 cm from the other
 RAYS = 900_000      # of all stations
-DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
+DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
           "standing", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up")
 
 

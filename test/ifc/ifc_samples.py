@@ -11,8 +11,14 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from plan_samples import arc, rectangle, room, segment, slab
 
 
-def doorway(rooms, start, end, bottom=0.0, top=2.05):
-    return {"rooms": rooms, "start": start, "end": end, "bottom": bottom, "top": top}
+def opening(kind, rooms, start, end, bottom=0.0, top=2.05, hinge="unknown", swing=0, state="unknown"):
+    """An opening in no named wall; the first room is to the left."""
+    return {"kind": kind, "rooms": rooms, "walls": [], "start": start, "end": end, "bottom": bottom, "top": top,
+            "depth": 0.1, "hinge": hinge, "swing": swing, "state": state}
+
+
+def passage(rooms, start, end):
+    return opening("passage", rooms, start, end)
 
 
 def house():
@@ -34,20 +40,15 @@ def house():
             "rooms": [hall, cell, box, attic, rotunda],
             "storeys": [{"number": 1, "name": "ground floor", "rooms": [1, 2, 3, 5]},
                         {"number": 2, "name": "attic, \u00fcber \u20ac 'x' \\", "rooms": [4]}],
-            "doorways": [doorway([1, 2], [2.0, 4.05], [2.9, 4.05]), doorway([2, 3], [5.1, 5.0], [5.1, 5.9]),
-                         doorway([0, 1], [0.0, 1.0], [0.0, 2.0]), doorway([0, 5], [14.4, -1.07], [13.6, -1.07])],
+            "openings": [passage([1, 2], [2.0, 4.05], [2.9, 4.05]), passage([2, 3], [5.1, 5.0], [5.1, 5.9]),
+                         passage([0, 1], [0.0, 1.0], [0.0, 2.0]), passage([0, 5], [14.4, -1.07], [13.6, -1.07])],
             "stairs": [{"rooms": [2, 4], "at": [2, 6], "bottom": 0, "top": 2.8, "flights": [
                 {"bottom": 0, "rise": 0.175, "risers": [[[0.5 + 0.25 * k, 6.5], [0.5 + 0.25 * k, 5.5]] for k in range(16)]}]}]}
 
 
-def opening(kind, rooms, start, end, bottom=0.0, top=2.05, hinge="unknown", swing=0, state="unknown"):
-    """An opening in no named wall; the first room is to the left."""
-    return dict(doorway(rooms, start, end, bottom, top), kind=kind, walls=[], depth=0.1, hinge=hinge, swing=swing, state=state)
-
-
 def house_with_doors(hinge="start", swing=1):
     """The house with a door between hall and cell, windows in a flat wall and in a curved one."""
-    return dict(house(), doorways=[], openings=[
+    return dict(house(), openings=[
         opening("door", [1, 2], [2.9, 4.05], [2.0, 4.05], hinge=hinge, swing=swing, state="open"),
         opening("window", [1, 0], [2, -0.1], [3, -0.1], 0.9, 2.1),
         opening("window", [5, 0], [14.4, -1.07], [13.6, -1.07], 1.0, 2.0)])

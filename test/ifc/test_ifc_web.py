@@ -16,7 +16,7 @@ import unittest
 
 import step_reader
 import web_ifc
-from ifc_samples import VOLUMES, doorway, house, house_with_doors, write
+from ifc_samples import VOLUMES, house, house_with_doors, passage, write
 from plan_samples import rectangle, room, segment, slab
 from web_ifc import opened
 
@@ -60,7 +60,7 @@ class WebIfc(unittest.TestCase):
     def test_openings_cut_their_walls(self):
         plan = house()
         with_doors = opened(write(TOOL, plan, self.folder))["products"]
-        doorways = plan.pop("doorways")
+        openings = plan.pop("openings")
         plan["rooms"][1]["niches"] = []
         without = opened(write(TOOL, plan, self.folder))["products"]
         cut = {name: p["volume"] - with_doors[name]["volume"] for name, p in without.items()
@@ -73,7 +73,7 @@ class WebIfc(unittest.TestCase):
             else:
                 self.assertAlmostEqual(volume, expected.get(name, 0), 3, name)
         self.assertLessEqual(set(expected), set(cut))
-        self.assertEqual(len(doorways), 4)
+        self.assertEqual(len(openings), 4)
 
     def test_nothing_is_lost(self):
         path = write(TOOL, house(), self.folder)
@@ -102,7 +102,7 @@ class WebIfc(unittest.TestCase):
             room(5, loop(beside_post, [0.004, 0.004, 0.013, 0.005, 0.006, 0, 0, 0, 0.013, 0.013, 0.004]), slab(0),
                  slab(2.5), niches=[{"bottom": slab(0.2), "top": slab(2.3),
                                      "boundary": loop(niche, [0, 0.005, 0, 0.013])}])],
-                    storeys=[], stairs=[], doorways=[])
+                    storeys=[], stairs=[], openings=[])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]
         self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
@@ -113,11 +113,11 @@ class WebIfc(unittest.TestCase):
         self.assertAlmostEqual(products["IFCWALL room_1_wall_2"]["volume"], (3 * 0.2 + corners - point) * 2.5, 3)
 
     def test_tilted_walls_lean_with_their_room(self):
-        """By 10 degrees out of the room, in one wall of 4 m with a doorway."""
+        """By 10 degrees out of the room, in one wall of 4 m with a passage."""
         loop = rectangle(0, 0, 4, 3)
         loop[0]["tilt"] = -10
         plan = dict(house(), version=2, rooms=[room(1, loop, slab(0), slab(2.5))], storeys=[], stairs=[],
-                    doorways=[doorway([0, 1], [1, 0], [1.9, 0])])
+                    openings=[passage([0, 1], [1, 0], [1.9, 0])])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]
         self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
@@ -135,11 +135,11 @@ class WebIfc(unittest.TestCase):
         loop[3]["tilt"] = -3
         plan = dict(house(), version=2, rooms=[room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
                                                room(2, loop, slab(0), slab(2.5))], storeys=[], stairs=[],
-                    doorways=[doorway([1, 2], [4.1, 1], [4.1, 1.9])])
+                    openings=[passage([1, 2], [4.1, 1], [4.1, 1.9])])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]
         self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
-        whole = opened(write(TOOL, dict(plan, doorways=[]), self.folder, name="whole"))["products"]
+        whole = opened(write(TOOL, dict(plan, openings=[]), self.folder, name="whole"))["products"]
         name = "IFCWALL room_1_wall_2"
         taken = 0.9 * 2.05 * (0.2 - math.tan(math.radians(3)) * 2.05 / 2)
         self.assertAlmostEqual(whole[name]["volume"] - products[name]["volume"], taken, 4)
@@ -165,8 +165,8 @@ class WebIfc(unittest.TestCase):
         self.assertEqual(self.expect_cuts(house_with_doors(), "doors "), 4)  # and a niche
         ring = room(1, rectangle(0, 0, 12, 12), slab(0), slab(3), columns=[rectangle(3, 3, 9, 9, clockwise=True)])
         core = room(2, rectangle(3.1, 3.2, 8, 8), slab(0), slab(2.6))
-        plan = dict(house(), rooms=[ring, core], storeys=[], stairs=[], doorways=[
-            doorway([1, 2], [5, 3.1], [6, 3.1]), doorway([1, 2], [3.05, 4], [3.05, 5]), doorway([0, 1], [9, 5], [9, 6])])
+        plan = dict(house(), rooms=[ring, core], storeys=[], stairs=[], openings=[
+            passage([1, 2], [5, 3.1], [6, 3.1]), passage([1, 2], [3.05, 4], [3.05, 5]), passage([0, 1], [9, 5], [9, 6])])
         self.assertEqual(self.expect_cuts(plan, "core "), 3)
 
     def test_plans_named_in_the_environment(self):

@@ -154,17 +154,17 @@ TEST(PlanWalls, AnAssumedThicknessKeepsOutOfTheRoomBehind)
     }
 }
 
-TEST(PlanWalls, ADoorwayShowsThatFacesFarApartAreOneWall)
+TEST(PlanWalls, AnOpeningShowsThatFacesFarApartAreOneWall)
 {
   // 0.8 m of wall between two rooms.
   Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.8, 0, 8, 3), 2.5, 2)}};
   EXPECT_TRUE(pairsOf(findWalls(plan)).empty());
-  plan.doorways = {{{1, 2}, {4.4, 1}, {4.4, 2}, 0, 2}};
+  plan.openings = {{OpeningKind::Door, {1, 2}, {}, {4.4, 1}, {4.4, 2}, 0, 2}};
   const std::vector<PlanWall> pairs = pairsOf(findWalls(plan));
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_NEAR(pairs[0].thickness, 0.8, 1e-9);
-  plan.doorways[0].rooms = {0, 1};
+  plan.openings[0].rooms = {0, 1};
   EXPECT_TRUE(pairsOf(findWalls(plan)).empty()) << "it leads elsewhere";
 }
 

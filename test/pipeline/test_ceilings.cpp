@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulator/scan/scan.h"
+#include "simulated_scan.h"
 #include "simulator/scene/scenes.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
@@ -30,28 +30,14 @@ operator<<(std::ostream& stream, const ExpectedCeiling& e)
 
 class Ceiling : public testing::TestWithParam<ExpectedCeiling> {};
 
-/** @brief Returns the closed structural mesh of a scene, in the frame of its scan. */
-std::shared_ptr<const pcl::sedr::TriangleMesh>
-truthOf(const sim::Scene& scene)
-{
-  auto mesh =
-      std::make_shared<pcl::sedr::TriangleMesh>(sim::truthOf(sim::meshOf(scene)));
-  for (Eigen::Vector3d& vertex : mesh->vertices)
-    vertex = sim::placed(scene.placement, vertex);
-  return mesh;
-}
-
 TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
 {
   sim::Scene scene =
       sim::sceneNamed(std::string(CEILING_SCENES) + "/" + GetParam().scene + ".json");
   for (sim::Scanner& scanner : scene.scanners)
     scanner.noise = 0.01;
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  for (const auto& p : sim::scan(scene).points)
-    cloud->emplace_back(p.x, p.y, p.z);
   pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
-  chain.setInputCloud(cloud);
+  chain.setInputCloud(sim::cloudOf(scene));
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
 
   const auto plan = chain.getFloorplan();
@@ -70,7 +56,7 @@ TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
   pcl::MeshEvaluation evaluation;
   evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
       chain.getChain().extrusion.getMesh()));
-  evaluation.setTruth(truthOf(scene));
+  evaluation.setTruth(sim::truthInScan(scene));
   pcl::sedr::MeshEvaluationResult figures;
   ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
   EXPECT_LE(figures.truth_to_mesh->mean, 0.0005);

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace programs;
+using pcl::sedr::tools::buildingToJson;
 using pcl::sedr::tools::loadBuilding;
 using pcl::sedr::tools::loadCloud;
 using pcl::sedr::tools::ToolCloud;
@@ -79,10 +80,22 @@ TEST_F(RoomSegmentationTool, TakesItsOptions)
   EXPECT_EQ(segment({"--building", in("building.txt")}).exit_code, 1);
 }
 
+TEST_F(RoomSegmentationTool, ABuildingReadsBackWithItsLinks)
+{
+  pcl::sedr::Building building;
+  building.links = {{{1, 2}, {4.1, 1.0 / 3}, {4.1, 1.2}, 0.01, 2.05}};
+  const std::string text = buildingToJson(building);
+  writeFile(in("building.json"), text);
+  const pcl::sedr::Building read = loadBuilding(in("building.json"));
+  ASSERT_EQ(read.links.size(), 1u);
+  EXPECT_EQ(read.links[0].rooms, building.links[0].rooms);
+  EXPECT_EQ(buildingToJson(read), text);
+}
+
 TEST_F(RoomSegmentationTool, OnlyABuildingIsReadAsOne)
 {
   for (const char* text : {"", "{}", "[1]", R"({"format": "sedr-planes"})",
-                           R"({"format": "sedr-building", "version": 2})"}) {
+                           R"({"format": "sedr-building", "version": 3})"}) {
     writeFile(in("building.json"), text);
     EXPECT_THROW(loadBuilding(in("building.json")), ToolError) << text;
   }

@@ -2,7 +2,6 @@
 #include "../base/number_text.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
-#include <pcl/sedr_filters/plan_measures.h>
 
 namespace pcl::sedr {
 namespace {
@@ -58,13 +57,8 @@ bool
 PlanEditor::closeOpening(std::uint32_t room, const Eigen::Vector2d& place)
 {
   return apply(room, [&](Floorplan& plan, PlanRoom&) {
-    return changeNearest(plan, room, place, [&plan](auto opening) {
-      Floorplan closed;
-      closed.openings = {*opening};
-      closed.doorways = plan.doorways;
-      plan.doorways = otherDoorways(closed);
-      plan.openings.erase(opening);
-    });
+    return changeNearest(plan, room, place,
+                         [&plan](auto opening) { plan.openings.erase(opening); });
   });
 }
 

@@ -2,6 +2,7 @@
 #include "room_references.h"
 
 #include "../base/number_text.h"
+#include "../plan/opening_wall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +92,6 @@ forEachReference(Floorplan& plan,
     for (OpeningWall& wall : opening.walls)
       see(wall.room, middle);
   }
-  for (PlanDoorway& doorway : plan.doorways)
-    for (std::uint32_t& of : doorway.rooms)
-      see(of, (doorway.start + doorway.end) / 2);
   for (PlanStair& stair : plan.stairs) {
     const auto& flights = stair.flights;
     see(stair.rooms[0], flights.empty() ? stair.at : flights.front().middle(0));
@@ -111,13 +109,11 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
   const auto removeIf = [](auto& list, const auto& goes) {
     list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
   };
-  const auto leadsNowhere = [](const auto& link) { return !link.leadsSomewhere(); };
   removeIf(plan.openings, [&](PlanOpening& opening) {
     removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
     return opening.rooms[0] == opening.rooms[1] || opening.walls.empty();
   });
-  removeIf(plan.doorways, leadsNowhere);
-  removeIf(plan.stairs, leadsNowhere);
+  removeIf(plan.stairs, [](const PlanStair& stair) { return !stair.leadsSomewhere(); });
   for (PlanStorey& storey : plan.storeys)
     removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
   removeIf(plan.storeys, [](const PlanStorey& storey) { return storey.rooms.empty(); });
@@ -126,11 +122,9 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
 std::vector<std::string>
 attachOpenings(const Floorplan& before, Floorplan& plan)
 {
-  constexpr double reach = 0.5; // metres from the face
   std::vector<std::string> told;
   const auto attach = [&](PlanOpening& opening) {
     const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
-    const Eigen::Vector2d way = (opening.end - opening.start).normalized();
     const std::string what = placeText(
         opening.kind == OpeningKind::Unknown ? "opening" : nameOf(opening.kind),
         middle);
@@ -144,17 +138,7 @@ attachOpenings(const Floorplan& before, Floorplan& plan)
         walls.push_back(wall);
         continue;
       }
-      double nearest = opening.depth / 2 + reach;
-      std::optional<std::size_t> element;
-      for (std::size_t e = 0; e < room->boundary.elements.size(); ++e) {
-        const PlanElement& candidate = room->boundary.elements[e];
-        const double distance = candidate.distance(middle);
-        const double s = candidate.project(middle);
-        if (distance < nearest && std::abs(candidate.normalAt(s).dot(way)) < 0.5) {
-          nearest = distance;
-          element = e;
-        }
-      }
+      const std::optional<std::size_t> element = wallBeside(*room, opening);
       if (!element)
         continue;
       walls.push_back({wall.room, *element});

@@ -10,8 +10,8 @@
 
 namespace pcl::sedr {
 
-/** @brief Calls `see(room, place)` with the number of every room that openings,
- * doorways and stairs name, and where they are. */
+/** @brief Calls `see(room, place)` with the number of every room that openings and
+ * stairs name, and where they are. */
 void forEachReference(
     Floorplan& plan,
     const std::function<void(std::uint32_t&, const Eigen::Vector2d&)>& see);

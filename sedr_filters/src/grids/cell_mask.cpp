@@ -286,32 +286,6 @@ largestRegion(const CellMask& mask)
                     static_cast<std::int32_t>(largest - regions.sizes.begin()));
 }
 
-void
-growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
-{
-  std::vector<std::size_t> front;
-  for (std::size_t i = 0; i < label.size(); ++i)
-    if (label[i] >= 0)
-      front.push_back(i);
-  for (int step = 0; step < steps && !front.empty(); ++step) {
-    std::vector<std::size_t> next;
-    for (const std::size_t i : front) {
-      const Cell cell = domain.cellAt(i);
-      for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
-        const Cell to{cell.x + d.x, cell.y + d.y};
-        if (!domain.at(to))
-          continue;
-        const std::size_t j = domain.indexOf(to);
-        if (label[j] >= 0)
-          continue;
-        label[j] = label[i];
-        next.push_back(j);
-      }
-    }
-    front.swap(next);
-  }
-}
-
 CellMask
 enclosedCells(const CellMask& mask)
 {

@@ -137,10 +137,6 @@ markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected)
 /** @brief Returns the largest four-connected region, the first of equals. O(cells). */
 CellMask largestRegion(const CellMask& mask);
 
-/** @brief Grows labels (-1: none) through the cells of `domain` to the four neighbours,
- * at most `steps` steps: each cell gets the label that reaches it first. O(cells). */
-void growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label);
-
 /** @brief Returns the holes of the mask: unset cells without a four-connected path of
  * unset cells to the edge of the box. O(cells). */
 CellMask enclosedCells(const CellMask& mask);

@@ -35,10 +35,10 @@ struct nlohmann::adl_serializer<Eigen::Matrix<double, size, 1>> {
 
 namespace pcl::sedr {
 
-/** @brief Name and versions of the format of floorplan.json. */
+/** @brief Name and version of the format of floorplan.json. Versions 1 (with level
+ * ceilings and vertical walls only) and 2 may have doorways beside openings. */
 constexpr const char* floorplan_format_name = "sedr-floorplan";
-constexpr int floorplan_format_version = 1;
-constexpr int floorplan_facets_version = 2; ///< of plans with ceiling facets
+constexpr int floorplan_format_version = 3;
 
 /** @brief Reads the origin of a plan or a report.json; (0, 0, 0) if there is none.
  * @return false if there is an origin that is not three numbers */
@@ -55,7 +55,6 @@ void to_json(nlohmann::ordered_json& json, const PlanSlab& slab);
 void to_json(nlohmann::ordered_json& json, const PlanNiche& niche);
 void to_json(nlohmann::ordered_json& json, const PlanOpening& opening);
 void to_json(nlohmann::ordered_json& json, const PlanStorey& storey);
-void to_json(nlohmann::ordered_json& json, const PlanDoorway& doorway);
 void to_json(nlohmann::ordered_json& json, const PlanStair& stair);
 void to_json(nlohmann::ordered_json& json, const PlanFlight& flight);
 void from_json(const nlohmann::ordered_json& json, PlanElement& element);
@@ -65,7 +64,6 @@ void from_json(const nlohmann::ordered_json& json, PlanDetail& detail);
 void from_json(const nlohmann::ordered_json& json, PlanNiche& niche);
 void from_json(const nlohmann::ordered_json& json, PlanOpening& opening);
 void from_json(const nlohmann::ordered_json& json, PlanStorey& storey);
-void from_json(const nlohmann::ordered_json& json, PlanDoorway& doorway);
 void from_json(const nlohmann::ordered_json& json, PlanStair& stair);
 void from_json(const nlohmann::ordered_json& json, PlanFlight& flight);
 

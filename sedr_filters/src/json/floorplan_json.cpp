@@ -2,10 +2,10 @@
 #include "floorplan_format.h"
 
 #include "../base/number_text.h"
+#include "../plan/opening_wall.h"
 #include "../plan/plan_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <charconv>
@@ -52,7 +52,7 @@ roomsFrom(const Json& json, std::uint32_t least)
 
 } // namespace
 
-// Rooms, storeys, doorways and stairs.
+// Rooms, storeys and stairs.
 
 namespace {
 
@@ -95,34 +95,94 @@ roomToJson(const PlanRoom& room, const std::vector<double>& thicknesses)
   return json;
 }
 
-/** @brief Writes doorways or stairs. Unknown rooms become 0, outside; what leads from
- * there to there is left out. */
-template <typename Link>
+/** @brief Writes stairs. Unknown rooms become 0, outside; stairs from there to there
+ * are left out. */
 Json
-linksToJson(const Floorplan& plan, const std::vector<Link>& links)
+stairsToJson(const Floorplan& plan)
 {
   Json json = Json::array();
-  for (Link link : links) {
-    for (std::uint32_t& id : link.rooms)
+  for (PlanStair stair : plan.stairs) {
+    for (std::uint32_t& id : stair.rooms)
       if (!findRoom(plan, id))
         id = 0;
-    if (link.leadsSomewhere())
-      json.push_back(link);
+    if (stair.leadsSomewhere())
+      json.push_back(stair);
   }
   return json;
 }
 
-template <typename Link>
+/** @brief Reads rooms and heights of a stair, or of a doorway of versions 1 and 2. */
+template <typename Way>
 void
-readLink(const Json& json, const std::string& what, Link& link)
+readWay(const Json& json, const std::string& what, Way& way)
 {
   const Json& rooms = json.at("rooms");
   if (!rooms.is_array() || rooms.size() != 2)
     throw std::invalid_argument(what + " has 2 rooms, not " + rooms.dump());
   const std::vector<std::uint32_t> ids = roomsFrom(rooms, 0);
-  std::copy(ids.begin(), ids.end(), link.rooms.begin());
-  json.at("bottom").get_to(link.bottom);
-  json.at("top").get_to(link.top);
+  std::copy(ids.begin(), ids.end(), way.rooms.begin());
+  json.at("bottom").get_to(way.bottom);
+  json.at("top").get_to(way.top);
+}
+
+/** @brief Fits an opening between the faces of its rooms: finds its walls, its depth
+ * and the middle of the wall, and puts its first room to its left. With one face it is
+ * as deep behind its ends as towards the face. */
+void
+fitBetweenFaces(const Floorplan& plan, PlanOpening& opening)
+{
+  const PlanElement* faces[2] = {};
+  for (std::size_t k = 0; k < 2; ++k)
+    if (const PlanRoom* const room = findRoom(plan, opening.rooms[k]))
+      if (const auto wall = wallBeside(*room, opening)) {
+        opening.walls.push_back({room->id, *wall});
+        faces[k] = &room->boundary.elements[*wall];
+      }
+  if (opening.walls.empty())
+    return;
+  const std::size_t k = faces[0] ? 0 : 1;
+  const PlanElement& near = *faces[k];
+  const PlanElement* const far = faces[1 - k];
+  const auto onto = [](const PlanElement& face, const Eigen::Vector2d& p) {
+    return face.pointAt(face.project(p));
+  };
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+  const Eigen::Vector2d inwards = near.normalAt(near.project(middle));
+  PlanOpening fitted = opening;
+  for (Eigen::Vector2d* const end : {&fitted.start, &fitted.end}) {
+    const Eigen::Vector2d here = onto(near, far ? onto(*far, *end) : *end);
+    const Eigen::Vector2d there = far ? onto(*far, here) : 2 * *end - here;
+    *end = (here + there) / 2;
+    fitted.depth += (here - there).norm() / 2;
+  }
+  if (fitted.width() > 0)
+    opening = fitted;
+  const Eigen::Vector2d way = opening.end - opening.start;
+  const bool is_left = way.x() * inwards.y() - way.y() * inwards.x() > 0;
+  if (is_left != (k == 0))
+    std::swap(opening.start, opening.end);
+}
+
+/** @brief Adds the doorways of versions 1 and 2, unless they are among the openings or
+ * of no size. Their kind is not known. */
+void
+addDoorways(const Json& json, Floorplan& plan)
+{
+  const std::vector<PlanOpening> openings = plan.openings;
+  for (const Json& entry : json) {
+    PlanOpening doorway;
+    readWay(entry, "a doorway", doorway);
+    entry.at("start").get_to(doorway.start);
+    entry.at("end").get_to(doorway.end);
+    const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+    if (!(doorway.width() > 0) || doorway.height() == 0 ||
+        std::any_of(openings.begin(), openings.end(), [&](const PlanOpening& opening) {
+          return isAt(opening, middle, doorway.bottom, doorway.top);
+        }))
+      continue;
+    fitBetweenFaces(plan, doorway);
+    plan.openings.push_back(doorway);
+  }
 }
 
 } // namespace
@@ -168,16 +228,6 @@ from_json(const Json& json, PlanStorey& storey)
 }
 
 void
-to_json(Json& json, const PlanDoorway& doorway)
-{
-  json = {{"rooms", doorway.rooms},
-          {"start", doorway.start},
-          {"end", doorway.end},
-          {"bottom", doorway.bottom},
-          {"top", doorway.top}};
-}
-
-void
 to_json(Json& json, const PlanStair& stair)
 {
   json = {{"rooms", stair.rooms},
@@ -198,17 +248,9 @@ to_json(Json& json, const PlanFlight& flight)
 }
 
 void
-from_json(const Json& json, PlanDoorway& doorway)
-{
-  readLink(json, "a doorway", doorway);
-  json.at("start").get_to(doorway.start);
-  json.at("end").get_to(doorway.end);
-}
-
-void
 from_json(const Json& json, PlanStair& stair)
 {
-  readLink(json, "stairs", stair);
+  readWay(json, "a stair", stair);
   json.at("at").get_to(stair.at);
   readIfThere(json, "flights", stair.flights);
 }
@@ -226,12 +268,11 @@ from_json(const Json& json, Floorplan& plan)
 {
   if (json.at("format") != floorplan_format_name)
     throw std::invalid_argument("it is not a floor plan");
-  if (json.at("version") != floorplan_format_version &&
-      json.at("version") != floorplan_facets_version)
+  const Json& version = json.at("version");
+  if (!version.is_number_integer() || version < 1 || version > floorplan_format_version)
     throw std::invalid_argument(
-        "it has version " + json.at("version").dump() + ", versions " +
-        std::to_string(floorplan_format_version) + " and " +
-        std::to_string(floorplan_facets_version) + " can be read");
+        "it has version " + version.dump() + ", versions 1 to " +
+        std::to_string(floorplan_format_version) + " can be read");
   json.at("rooms").get_to(plan.rooms);
   if (json.contains("storeys"))
     for (const Json& entry : json.at("storeys")) {
@@ -239,9 +280,10 @@ from_json(const Json& json, Floorplan& plan)
       plan.storeys.back().number = static_cast<std::uint32_t>(plan.storeys.size());
       entry.get_to(plan.storeys.back());
     }
-  readIfThere(json, "doorways", plan.doorways);
   readIfThere(json, "stairs", plan.stairs);
   readIfThere(json, "openings", plan.openings);
+  if (json.contains("doorways"))
+    addDoorways(json.at("doorways"), plan);
   if (json.contains("names") && json["names"].is_object())
     for (const auto& [room, name] : json["names"].items()) {
       std::uint32_t id = 0;
@@ -306,18 +348,13 @@ documentToJson(const PlanDocument& document)
     if (!plan.rooms[r].name.empty())
       names[std::to_string(plan.rooms[r].id)] = plan.rooms[r].name;
   }
-  const bool is_plain =
-      std::none_of(plan.rooms.begin(), plan.rooms.end(), [](const PlanRoom& room) {
-        return room.hasFacets() || isTilted(room);
-      });
   Json json{{"format", floorplan_format_name},
-            {"version", is_plain ? floorplan_format_version : floorplan_facets_version},
+            {"version", floorplan_format_version},
             {"unit", "m"},
             {"origin", document.origin.place},
             {"rooms", rooms},
             {"storeys", storeysOf(plan)},
-            {"doorways", linksToJson(plan, plan.doorways)},
-            {"stairs", linksToJson(plan, plan.stairs)}};
+            {"stairs", stairsToJson(plan)}};
   if (!plan.openings.empty())
     json["openings"] = plan.openings;
   if (document.levelling)

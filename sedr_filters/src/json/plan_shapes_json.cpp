@@ -125,6 +125,7 @@ facetToJson(const PlanSlab& slab)
     return json;
   const SlabCurve& curve = *slab.curve;
   json["centre"] = curve.centre;
+  json["axis"] = curve.axis;
   if (curve.kind == CurveKind::Relief) {
     json["spacing"] = curve.spacing;
     json["columns"] = curve.columns;
@@ -132,7 +133,6 @@ facetToJson(const PlanSlab& slab)
     return json;
   }
   json["base"] = curve.base;
-  json["axis"] = curve.axis;
   if (curve.kind == CurveKind::Ellipsoid)
     json["along"] = curve.along;
   json["across"] = curve.across;
@@ -147,6 +147,8 @@ curveFrom(const Json& json, const std::string& type)
 {
   auto curve = std::make_shared<SlabCurve>();
   json.at("centre").get_to(curve->centre);
+  if (type != "relief" || json.contains("axis")) // old reliefs lie along x
+    json.at("axis").get_to(curve->axis);
   if (type == "relief") {
     curve->kind = CurveKind::Relief;
     json.at("spacing").get_to(curve->spacing);
@@ -159,7 +161,6 @@ curveFrom(const Json& json, const std::string& type)
         "a facet is a plane, a cylinder, an ellipsoid or a relief, not a " + type);
   curve->kind = type == "ellipsoid" ? CurveKind::Ellipsoid : CurveKind::Cylinder;
   json.at("base").get_to(curve->base);
-  json.at("axis").get_to(curve->axis);
   json.at("across").get_to(curve->across);
   json.at("up").get_to(curve->up);
   if (type == "ellipsoid")

@@ -178,24 +178,6 @@ checkStoreys(const std::vector<PlanStorey>& storeys, const Ids& ids)
   }
 }
 
-/** @param what name of the doorway or stairs with its article */
-template <typename Link>
-void
-checkLink(const Link& link, const std::string& what, const Ids& ids)
-{
-  for (const std::uint32_t id : link.rooms)
-    if (id != 0)
-      checkRoomId(id, what, ids);
-  require(link.leadsSomewhere(),
-          what + " leads from room " + std::to_string(link.rooms[0]) + " to itself");
-  checkLength(link.bottom, what + "'s bottom");
-  checkLength(link.top, what + "'s top");
-  require(link.top >= link.bottom, what +
-                                       "'s top must not be below its bottom, it is "
-                                       "by " +
-                                       numberText(link.bottom - link.top) + " m");
-}
-
 void
 checkFlight(const PlanFlight& flight)
 {
@@ -210,6 +192,24 @@ checkFlight(const PlanFlight& flight)
   for (const PlanFlight::Riser& riser : flight.risers)
     for (const Eigen::Vector2d& end : riser)
       checkPlace(end);
+}
+
+void
+checkStair(const PlanStair& stair, const Ids& ids)
+{
+  for (const std::uint32_t id : stair.rooms)
+    if (id != 0)
+      checkRoomId(id, "a stair", ids);
+  require(stair.leadsSomewhere(),
+          "a stair leads from room " + std::to_string(stair.rooms[0]) + " to itself");
+  checkLength(stair.bottom, "a stair's bottom");
+  checkLength(stair.top, "a stair's top");
+  require(stair.top >= stair.bottom,
+          "a stair's top must not be below its bottom, it is by " +
+              numberText(stair.bottom - stair.top) + " m");
+  checkPlace(stair.at);
+  for (const PlanFlight& flight : stair.flights)
+    checkFlight(flight);
 }
 
 void
@@ -262,17 +262,8 @@ checkPlan(const Floorplan& plan)
     checkRoom(room);
   }
   checkStoreys(plan.storeys, ids);
-  for (const PlanDoorway& doorway : plan.doorways) {
-    checkLink(doorway, "a doorway", ids);
-    checkPlace(doorway.start);
-    checkPlace(doorway.end);
-  }
-  for (const PlanStair& stair : plan.stairs) {
-    checkLink(stair, "stairs", ids);
-    checkPlace(stair.at);
-    for (const PlanFlight& flight : stair.flights)
-      checkFlight(flight);
-  }
+  for (const PlanStair& stair : plan.stairs)
+    checkStair(stair, ids);
   for (const PlanOpening& opening : plan.openings)
     checkOpening(opening, plan, ids);
 }

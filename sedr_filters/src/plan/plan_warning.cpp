@@ -23,7 +23,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 40> words{{
+constexpr std::array<Words, 41> words{{
     {"coverage", "", "",
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -55,6 +55,9 @@ constexpr std::array<Words, 40> words{{
     {"open", "rooms may go on where neither a wall nor an opening was seen", "m",
      "along {0.1} m of its outline neither a wall nor an opening was seen: it may go "
      "on there"},
+    {"no_opening", "ways between rooms have no opening in the plan", "m",
+     "one can walk to room {2.0}{at}, through a gap {0.2} m wide and {1.2} m high, but "
+     "no opening was found there"},
     {"filled_in", "rooms have walls of which a large part was not measured", "%",
      "{0.0} % of its walls were not measured: {1.0} % are inferred behind what hides "
      "them, {2.0} % nobody saw"},

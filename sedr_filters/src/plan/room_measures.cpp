@@ -121,4 +121,19 @@ leavesOf(const PlanOpening& opening)
   return leaves;
 }
 
+bool
+isAt(const PlanOpening& opening,
+     const Eigen::Vector2d& place,
+     double bottom,
+     double top)
+{
+  constexpr double beside = 0.5; // metres
+  const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+  const Eigen::Vector2d off = place - opening.start;
+  const double along = way.dot(off);
+  return along > 0 && along < opening.width() &&
+         std::abs(way.x() * off.y() - way.y() * off.x()) < beside &&
+         bottom < opening.top && top > opening.bottom;
+}
+
 } // namespace pcl::sedr

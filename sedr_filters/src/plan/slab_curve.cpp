@@ -46,7 +46,7 @@ reliefPlace(const SlabCurve& curve, const Eigen::Vector2d& p)
     first = static_cast<std::size_t>(std::min(std::floor(inside), last - 1));
     return inside - static_cast<double>(first);
   };
-  const Eigen::Vector2d at = (p - curve.centre) / curve.spacing;
+  const Eigen::Vector2d at = localPlace(curve, p) / curve.spacing;
   place.share.x() = split(at.x(), curve.columns, place.column);
   place.share.y() = split(at.y(), curve.rows(), place.row);
   return place;
@@ -111,7 +111,7 @@ SlabCurve::gradientAt(const Eigen::Vector2d& p) const
         (1 - place.share.y()) * (z[1] - z[0]) + place.share.y() * (z[3] - z[2]);
     const double y =
         (1 - place.share.x()) * (z[2] - z[0]) + place.share.x() * (z[3] - z[1]);
-    return Eigen::Vector2d(x, y) / spacing;
+    return (x * axis + y * Eigen::Vector2d(-axis.y(), axis.x())) / spacing;
   }
   const Eigen::Vector2d local = localPlace(*this, p);
   const double square = squareOut(*this, local);

@@ -185,34 +185,11 @@ partOf(const Floorplan& plan, const PlanStorey& storey)
     if (isListed(storey.rooms, room.id))
       part.rooms.push_back(room);
   part.storeys = {storey};
-  std::copy_if(plan.doorways.begin(), plan.doorways.end(),
-               std::back_inserter(part.doorways), touches);
   std::copy_if(plan.stairs.begin(), plan.stairs.end(), std::back_inserter(part.stairs),
                touches);
   std::copy_if(plan.openings.begin(), plan.openings.end(),
                std::back_inserter(part.openings), touches);
   return part;
-}
-
-std::vector<PlanDoorway>
-otherDoorways(const Floorplan& plan)
-{
-  constexpr double beside = 0.5; // of a wall's middle line, metres
-  const auto isOther = [&](const PlanDoorway& doorway) {
-    return std::none_of(
-        plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
-          const Eigen::Vector2d way = (opening.end - opening.start).normalized();
-          const Eigen::Vector2d off = (doorway.start + doorway.end) / 2 - opening.start;
-          const double along = way.dot(off);
-          return along > 0 && along < opening.width() &&
-                 std::abs(way.x() * off.y() - way.y() * off.x()) < beside &&
-                 doorway.bottom < opening.top && doorway.top > opening.bottom;
-        });
-  };
-  std::vector<PlanDoorway> others;
-  std::copy_if(plan.doorways.begin(), plan.doorways.end(), std::back_inserter(others),
-               isOther);
-  return others;
 }
 
 std::string

@@ -67,16 +67,12 @@ SightLines::lines() const
 }
 
 SightLines
-SightLines::levelled(const Levelling& levelling) const
+SightLines::moved(const BuildingFrame& frame) const
 {
-  const auto level = [&](Eigen::Vector3f& p) {
-    p = levelling.level(p.cast<double>()).cast<float>();
-  };
   std::vector<SightLine> all = lines();
-  for (SightLine& line : all) {
-    level(line.from);
-    level(line.to);
-  }
+  for (SightLine& line : all)
+    for (Eigen::Vector3f* end : {&line.from, &line.to})
+      *end = frame.toBuilding(end->cast<double>()).cast<float>();
   return SightLines(all);
 }
 

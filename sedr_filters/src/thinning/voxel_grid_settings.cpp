@@ -223,8 +223,7 @@ VoxelGridSettings::thin(const RowSource& source,
   VoxelSums sums(inverseLeaf());
   RowCoordinates coordinates(source.fields(), source.rowSize());
   source.forEachPiece([&](const Piece& piece) {
-    sums.add(coordinates.of(piece.rows, piece.size, threads_), threads_, indices,
-             indices ? RowSource::SeeRun() : piece.beside);
+    sums.add(coordinates.of(piece.rows, piece.size, threads_), threads_, indices);
     return true;
   });
   if (removes_strays_)

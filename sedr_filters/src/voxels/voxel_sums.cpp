@@ -155,17 +155,12 @@ VoxelSums::shardOf(const VoxelCode& code)
 }
 
 void
-VoxelSums::add(const PointView& points,
-               unsigned threads,
-               const pcl::Indices* indices,
-               const RowSource::SeeRun& beside)
+VoxelSums::add(const PointView& points, unsigned threads, const pcl::Indices* indices)
 {
   // In the order of a scan, those of a run are in few voxels, which stay in the cache.
   constexpr std::size_t points_a_run = std::size_t{1} << 16;
   const std::size_t n = indices ? indices->size() : points.size();
   parallelBlocks(n, points_a_run, threads, [&](std::size_t begin, std::size_t end) {
-    if (beside)
-      beside(begin, end);
     VoxelTable sums;
     for (std::size_t k = begin; k < end; ++k) {
       const Eigen::Vector3f point =

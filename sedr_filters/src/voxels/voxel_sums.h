@@ -41,13 +41,10 @@ public:
   /** @brief Adds points; those that the frame does not hold are skipped. A voxel can
    * hold at most 2^31 points.
    * @param indices those to add, all valid; null: all
-   * @param threads 0 = all processors
-   * @param beside also called for runs of points, on their thread, before the addition
-   */
+   * @param threads 0 = all processors */
   void add(const PointView& points,
            unsigned threads = 0,
-           const pcl::Indices* indices = nullptr,
-           const RowSource::SeeRun& beside = {});
+           const pcl::Indices* indices = nullptr);
 
   /** @brief Adds sums of another object of equal leaf, also from another machine. */
   void add(const std::vector<VoxelSum>& sums);

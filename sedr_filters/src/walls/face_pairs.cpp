@@ -99,7 +99,7 @@ public:
   {
     const std::vector<WallFace> faces = wallFaces(plan);
     const double reach =
-        std::max(parameters.max_thickness, parameters.max_depth_of_doorway);
+        std::max(parameters.max_thickness, parameters.max_depth_at_opening);
     std::vector<Eigen::AlignedBox2d> boxes;
     for (const PlanRoom& room : plan.rooms)
       boxes.push_back(boundsOf(room.boundary));
@@ -142,26 +142,26 @@ private:
     // Faces fitted independently may overlap by up to the minimum thickness.
     if (is_behind && pair.thickness > -parameters_.min_thickness &&
         (pair.thickness <= parameters_.max_thickness ||
-         (pair.thickness <= parameters_.max_depth_of_doorway && isOpen(pair))))
+         (pair.thickness <= parameters_.max_depth_at_opening && isOpen(pair))))
       candidates_.push_back(pair);
   }
 
-  /** @brief Returns whether a doorway leads from one face of a pair to the other. */
+  /** @brief Returns whether an opening leads from one face of a pair to the other. */
   bool isOpen(const PlanWall& pair) const
   {
     const PlanElement& face = elementOf(plan_, pair.face);
     const std::uint32_t near = plan_.rooms[pair.face.room].id;
     const std::uint32_t far = plan_.rooms[pair.other->room].id;
     return std::any_of(
-        plan_.doorways.begin(), plan_.doorways.end(), [&](const PlanDoorway& doorway) {
-          const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+        plan_.openings.begin(), plan_.openings.end(), [&](const PlanOpening& opening) {
+          const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
           const double s = face.project(middle);
           const auto [place, inward] = faceAt(face, s);
           const double behind = (place - middle).dot(inward);
           const bool joins_both =
-              doorway.rooms[0] == near
-                  ? doorway.rooms[1] == far
-                  : doorway.rooms[0] == far && doorway.rooms[1] == near;
+              opening.rooms[0] == near
+                  ? opening.rooms[1] == far
+                  : opening.rooms[0] == far && opening.rooms[1] == near;
           return joins_both && s > pair.stretch.from && s < pair.stretch.to &&
                  behind >= 0 && behind <= pair.thickness;
         });

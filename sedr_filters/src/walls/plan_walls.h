@@ -81,7 +81,7 @@ struct PlanWall {
 /** @brief Parameters of walls, metres. */
 struct WallParameters {
   double max_thickness = Priors().max_wall;          ///< maximum distance of two faces
-  double max_depth_of_doorway = 1.5 * max_thickness; ///< likewise, beside a doorway
+  double max_depth_at_opening = 1.5 * max_thickness; ///< likewise, beside an opening
   double assumed_thickness = 0.2;                    ///< of a wall with one face seen
   double min_assumed_share = 0.25; ///< of it that is left before a room near behind the
                                    ///< face: 5 cm, the thinnest partition that is built
@@ -90,7 +90,7 @@ struct WallParameters {
 
 /** @brief Finds the walls of a plan from pairs of faces; each part of a face belongs to
  * one wall at most. Faces farther apart than walls usually are belong to one if a
- * doorway leads from one to the other.
+ * opening leads from one to the other.
  *
  * Faces belong to one wall if they are parallel (5 degrees; arcs concentric within 10
  * cm), face away from each other and are nearest to each other. A remainder of a face

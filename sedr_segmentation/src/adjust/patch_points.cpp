@@ -97,6 +97,8 @@ PatchPoints::addWall(const VerticalSurface& surface, std::size_t unknown)
       continue;
     site.unknown = unknown;
     site.centre = e.pointAt(from + width / 2);
+    if (unknowns_.all[unknown].run != 0)
+      site.centre = unknowns_.all[unknown].curve().project(site.centre);
     site.direction = -leftOf(e.normalAt(from + width / 2));
     site.half = width / 2;
     site.is_wall =

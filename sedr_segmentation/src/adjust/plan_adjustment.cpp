@@ -37,7 +37,7 @@ limitInformation(const AdjustmentParameters& parameters, Unknown& u)
   if (u.kind == UnknownKind::Circle)
     deviations.setConstant(offset);
   else if (u.kind == UnknownKind::Line)
-    deviations[2] = u.may_tilt ? offset : 0;
+    deviations[2] = u.is_tilted ? offset : 0;
   Eigen::Matrix3d covariance = u.information.inverse();
   covariance += deviations.cwiseAbs2().asDiagonal().toDenseMatrix();
   u.information = covariance.inverse();
@@ -107,7 +107,7 @@ adjustPlan(Floorplan& plan,
   report.problem = emptyLoop(unknowns, plan);
   if (!report.problem.empty())
     return report;
-  const std::vector<Unknown> given = unknowns.all;
+  std::vector<Unknown> given = unknowns.all;
   {
     const PatchPoints points(plan, unknowns, raw, indices, parameters);
     report.problem = points.problem();
@@ -118,6 +118,12 @@ adjustPlan(Floorplan& plan,
     report.waviness = errors.waviness;
     report.correlation = errors.correlation;
   }
+  for (std::size_t u = 0; u < given.size(); ++u)
+    if (given[u].may_tilt) {
+      given[u].run = unknowns.all[u].is_tilted ? given[u].run : 0;
+      given[u].describeAt(given[u].foot);
+    }
+  unknowns.standOnFeet();
   for (Unknown& u : unknowns.all)
     limitInformation(parameters, u);
   std::vector<PlanTie> ties;

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -50,6 +51,14 @@ struct AdjustmentParameters {
   double free_height = 0.3;       ///< of a floor or ceiling against another's
   double free_slope = 0.1;        ///< of a floor or ceiling that is not level
   double free_tilt = 1;           ///< of a wall that is not vertical
+
+  // A wall is tilted only within these limits, as little is construction tolerance,
+  // 4 cm in a storey, and much a roof.
+  double min_tilt = M_PI / 180;
+  double max_tilt = 28 * M_PI / 180;
+  double min_tilted_height = 1.5; ///< of its points
+  double rare_tilt = 10;          ///< nats: few walls are tilted
+
   double smooth_joint = 0.2; ///< maximum angle of an arc's joint that may be smooth
 
   std::size_t max_points = 5000000; ///< of a larger scan, every k-th point is used
@@ -73,7 +82,8 @@ struct AdjustmentReport {
  * elements of a room on one line or circle share it. Observations are patches of the
  * points beside each surface: their mean distance, with a variance from the noise of
  * the points and from the correlated errors of the scan, both of which are estimated.
- * Patches of furniture and of what stands square to a surface are outliers. Walls that
+ * Patches of furniture and of what stands square to a surface are outliers. Straight
+ * walls of a room are tilted where that is more probable, see SurfaceFit. Walls that
  * are parallel, square or on one line, smooth joints, equal radii, level slabs and
  * slabs of one height are tied where this is more probable than chance: the cost of the
  * free values, in nats, against half of the squared contradiction in standard
@@ -82,8 +92,7 @@ struct AdjustmentReport {
  *
  * O(n) for n points. The result does not depend on the number of threads. Memory is 16
  * bytes for each point near a surface.
- * @param[in,out] plan right to a few centimetres; curved slabs are not changed, and
- * walls tilt only if one of them does already
+ * @param[in,out] plan right to a few centimetres; curved slabs are not changed
  * @param raw the scan, raw or thinned; points that are not finite are left out
  * @param indices the points to use; empty: all */
 AdjustmentReport adjustPlan(Floorplan& plan,

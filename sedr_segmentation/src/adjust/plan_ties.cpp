@@ -71,8 +71,6 @@ equationsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
     return {tangent(tie, a, b)};
   case PlanTieKind::EqualRadius:
     return {{a.radius - b.radius, {{3 * tie.a + 2, 1}, {3 * tie.b + 2, -1}}}};
-  case PlanTieKind::Vertical:
-    return {{a.run, {{3 * tie.a + 2, 1}}}};
   case PlanTieKind::Level:
     return {{a.slope.x(), {{3 * tie.a + 1, 1}}}, {a.slope.y(), {{3 * tie.a + 2, 1}}}};
   case PlanTieKind::EqualSlope:

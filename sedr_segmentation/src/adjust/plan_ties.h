@@ -14,7 +14,6 @@ enum class PlanTieKind {
   OnLine,      ///< the middle of line b is on line a
   Tangent,     ///< of a line or circle a and a circle b
   EqualRadius, ///< of two circles
-  Vertical,    ///< a line's wall
   Level,       ///< a plane
   EqualSlope,  ///< of two planes
   EqualHeight  ///< of two level planes

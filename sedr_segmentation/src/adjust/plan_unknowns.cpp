@@ -58,6 +58,16 @@ Unknown::move(const Eigen::Vector3d& step)
   }
 }
 
+void
+Unknown::describeAt(double z)
+{
+  point += run * (z - height) * leftOf(direction);
+  Eigen::Matrix3d before = Eigen::Matrix3d::Identity(); // steps there from steps here
+  before(0, 2) = height - z;
+  information = before.transpose() * information * before;
+  height = z;
+}
+
 PlanCurve
 Unknown::curve() const
 {
@@ -73,8 +83,7 @@ PlanUnknowns::PlanUnknowns(Floorplan& plan, const AdjustmentParameters& p)
 {
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     addRoom(plan.rooms[r], r);
-  if (std::any_of(plan.rooms.begin(), plan.rooms.end(), isTilted))
-    setTilts(plan);
+  describeBelowCeilings();
   for (Unknown& u : all)
     u.information = prior(u);
 }
@@ -84,6 +93,7 @@ PlanUnknowns::addRoom(PlanRoom& room, std::size_t index)
 {
   const std::size_t first = all.size();
   addLoop(room.boundary, index, first, true);
+  loops.back().walls_of = &room;
   for (PlanLoop& column : room.columns)
     addLoop(column, index, first, true);
   for (auto* const details : {&room.details, &room.floor_details})
@@ -167,22 +177,52 @@ PlanUnknowns::addSlab(PlanSlab& slab,
   all.push_back(u);
 }
 
+/** @brief Describes straight walls where the plan was made: below the ceiling, whether
+ * they tilt or not. */
 void
-PlanUnknowns::setTilts(Floorplan& plan)
+PlanUnknowns::describeBelowCeilings()
 {
-  for (UnknownLoop& loop : loops) {
-    PlanRoom& room = plan.rooms[loop.room];
-    loop.may_tilt = loop.loop == &room.boundary;
-    for (std::size_t i = 0; i < loop.of_element.size(); ++i) {
+  constexpr double below_ceiling = 0.25; // middle of the band that shows walls, metres
+  for (const UnknownLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.of_element.size() && loop.walls_of; ++i) {
       Unknown& u = all[loop.of_element[i]];
-      if (!loop.may_tilt || u.kind != UnknownKind::Line)
+      if (u.kind != UnknownKind::Line)
         continue;
+      const double tilt = loop.loop->elements[i].tilt;
       u.may_tilt = true;
-      u.height = room.floor.heightAt(u.point);
-      if (room.boundary.elements[i].tilt != 0)
-        u.run = std::tan(room.boundary.elements[i].tilt);
+      u.is_tilted = u.is_tilted || tilt != 0;
+      u.run = tilt != 0 ? std::tan(tilt) : u.run;
     }
+  for (const UnknownLoop& loop : loops)
+    for (const std::size_t k : loop.of_element)
+      if (Unknown& u = all[k]; loop.walls_of && u.may_tilt) {
+        u.height = u.foot = loop.walls_of->floor.heightAt(u.point);
+        const Eigen::Vector2d inside = u.point + 0.01 * leftOf(u.direction);
+        u.describeAt(
+            std::max(u.foot, loop.walls_of->ceilingAt(inside) - below_ceiling));
+      }
+}
+
+void
+PlanUnknowns::standOnFeet()
+{
+  for (const UnknownLoop& loop : loops) {
+    std::vector<bool> is_moved(loop.of_element.size(), false);
+    for (std::size_t i = 0; i < is_moved.size() && loop.walls_of; ++i) {
+      PlanElement& wall = loop.loop->elements[i];
+      const Unknown& u = all[loop.of_element[i]];
+      if (wall.tilt == 0 || u.is_tilted)
+        continue;
+      for (Eigen::Vector2d* const end : {&wall.start, &wall.end})
+        *end = u.curve().project(*end);
+      wall.tilt = 0;
+      is_moved[i] = true;
+    }
+    rejoin(*loop.loop, is_moved);
   }
+  for (Unknown& u : all)
+    if (u.may_tilt)
+      u.describeAt(u.foot);
 }
 
 Eigen::Matrix3d
@@ -191,7 +231,7 @@ PlanUnknowns::prior(const Unknown& u) const
   constexpr double fixed = 1e6; // standard deviations to a metre or radian
   const double place = 1 / parameters_.coarse;
   const double turn = std::max(0.05, u.half) / parameters_.coarse;
-  Eigen::Vector3d sigmas(place, turn, u.may_tilt ? 1 / parameters_.free_tilt : fixed);
+  Eigen::Vector3d sigmas(place, turn, u.is_tilted ? 1 / parameters_.free_tilt : fixed);
   if (u.kind == UnknownKind::Circle)
     sigmas.setConstant(place);
   else if (u.kind == UnknownKind::Plane)
@@ -218,8 +258,8 @@ PlanUnknowns::write() const
   for (const UnknownLoop& loop : loops)
     for (std::size_t i = 0; i < loop.of_element.size(); ++i) {
       const Unknown& u = all[loop.of_element[i]];
-      if (loop.may_tilt && u.kind == UnknownKind::Line)
-        loop.loop->elements[i].tilt = std::abs(u.run) > 1e-9 ? std::atan(u.run) : 0;
+      if (loop.walls_of && u.kind == UnknownKind::Line)
+        loop.loop->elements[i].tilt = u.is_tilted ? std::atan(u.run) : 0;
       if (!u.isSeen())
         continue;
       loop.loop->elements[i].inliers = static_cast<std::size_t>(u.count);

@@ -25,14 +25,16 @@ struct Unknown {
                                                    ///< centre of the circle
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< of a line, unit
   double radius = 0;                                    ///< of a circle
-  double height = 0; ///< z at the point of a plane, of the line's wall foot
+  double height = 0; ///< z at the point of a plane, at which a line is where it is
   double run = 0;    ///< of a line: metres to the left for each metre up
   Eigen::Vector2d slope = Eigen::Vector2d::Zero(); ///< of a plane
-  double half = 0;       ///< half extent of the part in use, metres
-  bool may_tilt = false; ///< of a line
-  bool is_kept = false;  ///< where it was given, without ties
-  bool is_wall = false;  ///< a room's face: the room is to the left of the line
-  std::size_t room = 0;  ///< index in the plan
+  double half = 0;        ///< half extent of the part in use, metres
+  double foot = 0;        ///< z of a wall's foot
+  bool may_tilt = false;  ///< of a line: a room's wall
+  bool is_tilted = false; ///< its run is free
+  bool is_kept = false;   ///< where it was given, without ties
+  bool is_wall = false;   ///< a room's face: the room is to the left of the line
+  std::size_t room = 0;   ///< index in the plan
 
   double count = 0;  ///< points of its patches; 0: not seen
   double noise = 0;  ///< standard deviation of its points, metres
@@ -70,14 +72,17 @@ struct Unknown {
 
   void move(const Eigen::Vector3d& step);
 
+  /** @brief Describes the same wall by its line at another height. */
+  void describeAt(double z);
+
   PlanCurve curve() const;
 };
 
 /** @brief A loop of the plan and the unknown of each of its elements. */
 struct UnknownLoop {
   PlanLoop* loop = nullptr;
-  bool may_tilt = false; ///< its segments are walls that need not be vertical
-  std::size_t room = 0;  ///< index in the plan
+  PlanRoom* walls_of = nullptr; ///< the room whose boundary it is
+  std::size_t room = 0;         ///< index in the plan
   std::vector<std::size_t> of_element;
 };
 
@@ -98,6 +103,10 @@ public:
   std::vector<UnknownLoop> loops;
   std::vector<UnknownSlab> slabs;
 
+  /** @brief Describes walls by their feet, as the plan does. Those of the plan that
+   * were given a tilt and have none are moved to where they stand below the ceiling. */
+  void standOnFeet();
+
   /** @brief Writes the moved planes, the tilts of walls and, of seen surfaces, the
    * counts and residuals. */
   void write() const;
@@ -114,7 +123,7 @@ private:
                std::size_t parent,
                bool is_floor);
   std::size_t unknownOf(const PlanElement& e, std::size_t first);
-  void setTilts(Floorplan& plan);
+  void describeBelowCeilings();
 
   const AdjustmentParameters& parameters_;
 };

@@ -25,11 +25,22 @@ struct PatchMean {
   double mixed = 0;    ///< share of the points within reach that are beside the surface
   double vote = 1;     ///< weight in the choice between surfaces
   double weight = 0;   ///< 1: of the surface, 0: an outlier
+  double precision = 0; ///< that weight over the variance of the mean
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< mean of the points
   Eigen::Vector3d row = Eigen::Vector3d::Zero(); ///< negative derivatives
 };
 
-/** @brief Fits each surface alone to its patches, by robust least squares. */
+/** @brief Fits each surface alone to its patches, by robust least squares.
+ *
+ * Straight walls of rooms are fitted twice, vertical and tilted. A wall is tilted if
+ * its run r exceeds the tolerance of construction and
+ *
+ *     r^2 / (2 sigma^2)  >  rare_tilt + ln (free_tilt / (sigma sqrt (2 pi)))
+ *
+ * where sigma^2 is the variance from the patches, whose errors are correlated, plus the
+ * accuracy of built surfaces, plus the scatter of the runs of all walls: moving
+ * scanners drift. And a tilted plane must be that much more probable than two vertical
+ * ones, such as a wall above a panel. */
 class SurfaceFit {
 public:
   SurfaceFit(PlanUnknowns& unknowns,
@@ -50,8 +61,11 @@ private:
              const Eigen::Matrix3d& prior,
              Eigen::Vector3d& step) const;
   void estimateErrors();
+  void chooseTilts();
+  bool isTilted(std::size_t number, double drift) const;
 
   PlanUnknowns& unknowns_;
+  const std::vector<Unknown> given_;
   const PatchPoints& points_;
   const AdjustmentParameters& parameters_;
   ScanErrors errors_;

@@ -30,9 +30,6 @@ public:
     putOnLines();
     findTangents();
     shareRadii();
-    for (std::size_t u = 0; u < plan_.all.size(); ++u)
-      if (plan_.all[u].may_tilt)
-        accept({PlanTieKind::Vertical, u, u}, std::log(parameters_.free_tilt));
     levelSlabs();
     return ties_;
   }

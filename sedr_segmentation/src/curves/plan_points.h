@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/cell_grid.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -52,23 +51,6 @@ public:
           if ((points_[k] - p).squaredNorm() <= radius * radius)
             visit(k);
     }
-  }
-
-  /** @brief Calls `visit` with the index in all() of each point in the cells that
-   * overlap a box, including some outside it. */
-  template <typename Visitor>
-  void forEachIndexIn(const Eigen::AlignedBox2d& box, Visitor visit) const
-  {
-    if (points_.empty() || !grid_.holds(box.min().x(), box.min().y()) ||
-        !grid_.holds(box.max().x(), box.max().y()))
-      return;
-    const Cell low = grid_.at(box.min().x(), box.min().y());
-    const Cell high = grid_.at(box.max().x(), box.max().y());
-    for (std::int32_t y = low.y; y <= high.y; ++y)
-      for (std::size_t i = cells_.firstFrom({low.x, y});
-           i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
-        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-          visit(k);
   }
 
 private:

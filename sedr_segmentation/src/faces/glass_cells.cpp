@@ -104,6 +104,7 @@ boxSums(const CellMask& frame, int reach, const std::vector<float>& values)
 void
 findGlass(const PointView& scan,
           const std::vector<int>& indices,
+          const WallSlopes& slopes,
           const CellGrid& grid,
           const RoomCellsParameters& parameters,
           unsigned threads,
@@ -133,8 +134,10 @@ findGlass(const PointView& scan,
     const Eigen::Vector3f q = scan[i];
     if (!q.allFinite() || !grid.holds(q.x(), q.y()))
       continue;
-    const Cell cell = grid.at(q.x(), q.y());
-    for (const std::uint32_t r : rooms_near.at(q.head<2>().cast<double>())) {
+    const Eigen::Vector3d p = q.cast<double>();
+    for (const std::uint32_t r : rooms_near.at(p.head<2>())) {
+      const Eigen::Vector2d place = placeInPlan(p, slopes, grid, rooms[r]);
+      const Cell cell = grid.at(place.x(), place.y());
       if (!near[r].at(cell))
         continue;
       const std::size_t at = near[r].indexOf(cell);

@@ -57,23 +57,44 @@ spread(const CellMask& frame, int reach, Before before, std::vector<float>& valu
   along(width, height, 1, static_cast<std::size_t>(width));
 }
 
-/** @brief Calls `see(index of the cell, point)` for the points in the frame. */
-template <typename See>
+/** @brief Calls `see(index of the cell, point)` for the points in the frame, moved by
+ * `place`. */
+template <typename See, typename Place>
 void
 forEachIn(const CellMask& frame,
           const CellGrid& grid,
           const PointView& points,
           const std::vector<int>& indices,
-          See see)
+          See see,
+          Place place)
 {
   for (const int i : indices) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const Eigen::Vector3f p = place(points[static_cast<std::size_t>(i)]);
     if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
       continue;
     const Cell cell = grid.at(p.x(), p.y());
     if (frame.isInside(cell))
       see(frame.indexOf(cell), p);
   }
+}
+
+/** @brief Checks whether ceiling was seen in a cell or beside it, so that its height is
+ * known. */
+bool
+isBesideSeen(const CellMask& seen, Cell cell)
+{
+  constexpr int reach = 3; // cells, less than RoomCellsParameters::local
+  for (int dy = -reach; dy <= reach; dy += reach)
+    for (int dx = -reach; dx <= reach; dx += reach)
+      if (seen.at({cell.x + dx, cell.y + dy}) != 0)
+        return true;
+  return false;
+}
+
+Eigen::Vector3f
+asScanned(const Eigen::Vector3f& p)
+{
+  return p;
 }
 
 /** @brief Lowest and highest point of the ceiling in each cell. */
@@ -110,11 +131,21 @@ gatherCeiling(const PointView& points,
     cells.top[at] = std::max(cells.top[at], q.z());
     cells.low[at] = std::min(cells.low[at], q.z());
   };
-  forEachIn(cells.seen, grid, points, high, add);
+  forEachIn(cells.seen, grid, points, high, add, asScanned);
   CeilingEnds ends{cells.low, cells.top};
   for (const Eigen::Vector3f& q : room.hidden)
     add(cells.seen.indexOf(grid.at(q.x(), q.y())), q);
   const int reach = static_cast<int>(std::lround(p.local / grid.size()));
+  cells.bottom.assign(cells.top.size(), -no_height);
+  forEachIn(
+      cells.seen, grid, points, room.floor,
+      [&](std::size_t at, const Eigen::Vector3f& q) {
+        cells.bottom[at] = std::max(cells.bottom[at], q.z());
+      },
+      asScanned);
+  spread(cells.seen, reach, std::greater<>(), cells.bottom);
+  for (float& z : cells.bottom)
+    z = z == -no_height ? static_cast<float>(cells.floor) : z;
   spread(cells.seen, reach, std::greater<>(), cells.top);
   spread(cells.seen, 1, std::less<>(), cells.low);
   for (std::size_t i = 0; i < cells.top.size(); ++i)
@@ -127,6 +158,7 @@ gatherCeiling(const PointView& points,
 void
 gatherWalls(const PointView& points,
             const RoomPoints& room,
+            const WallSlopes& slopes,
             const CellGrid& grid,
             const RoomCellsParameters& p,
             const CeilingEnds& ends,
@@ -182,7 +214,13 @@ gatherWalls(const PointView& points,
            z < top - p.rim / 3 &&
            z > std::max<double>(cells.low[at], top - 2 * p.bin) + p.rim / 3;
   };
-  const auto gather = [&](const std::vector<int>& indices, bool of_wall, bool below) {
+  const auto atTop = [&](const Eigen::Vector3f& q) -> Eigen::Vector3f {
+    const Eigen::Vector2f place =
+        placeInPlan(q.cast<double>(), slopes, grid, cells).cast<float>();
+    return {place.x(), place.y(), q.z()};
+  };
+  const auto gather = [&](const std::vector<int>& indices, bool of_wall, bool below,
+                          auto place) {
     forEachIn(
         cells.seen, grid, points, indices,
         [&](std::size_t at, const Eigen::Vector3f& q) {
@@ -208,12 +246,13 @@ gatherWalls(const PointView& points,
             return;
           is_wall[at] = is_wall[at] || of_wall;
           places.push_back({at, q.head<2>().cast<double>(), of_wall, is_below_top});
-        });
+        },
+        place);
   };
-  gather(room.walls, true, false);
-  gather(room.others, false, false);
+  gather(room.walls, true, false, atTop);
+  gather(room.others, false, false, atTop);
   // Above what hides a wall up to near the ceiling, its points pass for the ceiling's.
-  gather(room.ceiling, true, true);
+  gather(room.ceiling, true, true, asScanned);
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
@@ -284,16 +323,86 @@ cellsOf(const CellGrid& grid, const std::vector<Eigen::Vector3f>& places)
   return CellSet(std::move(keys));
 }
 
+namespace {
+
+bool
+isShared(double low, double high, double other_low, double other_high)
+{
+  constexpr double shared = 0.5; // metres
+  return std::min(high, other_high) - std::max(low, other_low) > shared;
+}
+
+} // namespace
+
 bool
 RoomCells::sharesHeights(const RoomCells& other) const
 {
-  constexpr double shared = 0.5; // metres
-  return std::min(ceiling, other.ceiling) - std::max(floor, other.floor) > shared;
+  return isShared(floor, ceiling, other.floor, other.ceiling);
+}
+
+CellMask
+RoomCells::besideRoom(const RoomCells& other, const CellMask& cells) const
+{
+  CellMask beside = cells;
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Cell cell = seen.cellAt(i);
+    const bool is_over = other.seen.at(cell) != 0;
+    const std::size_t there = is_over ? other.seen.indexOf(cell) : 0;
+    beside.values()[i] =
+        isShared(bottom[i], top[i], is_over ? other.bottom[there] : other.floor,
+                 is_over ? other.low[there] : other.ceiling);
+  }
+  return beside;
+}
+
+Eigen::Vector2d
+atCeiling(const Eigen::Vector3d& p,
+          const Eigen::Vector2d& run,
+          const CellGrid& grid,
+          const RoomCells& room)
+{
+  constexpr double step = 0.02;    // metres up
+  constexpr double max_higher = 3; // than the usual ceiling
+  const Eigen::Vector2d own = p.head<2>();
+  if (run.isZero())
+    return own;
+  // Up to the ceiling that was seen last: a wall that leans out leaves it at its head.
+  bool is_below = false;
+  double top = room.ceiling;
+  for (double up = 0; p.z() + up < room.ceiling + max_higher; up += step) {
+    const Eigen::Vector2d place = own + up * run;
+    if (!grid.holds(place.x(), place.y()))
+      break;
+    if (const Cell cell = grid.at(place.x(), place.y());
+        room.seen.isInside(cell) && isBesideSeen(room.seen, cell)) {
+      is_below = true;
+      top = static_cast<double>(room.top[room.seen.indexOf(cell)]);
+    }
+    if (is_below && p.z() + up >= top)
+      return own + std::max(0.0, top - p.z()) * run;
+  }
+  return own + std::max(0.0, room.ceiling - p.z()) * run;
+}
+
+Eigen::Vector2d
+placeInPlan(const Eigen::Vector3d& p,
+            const WallSlopes& slopes,
+            const CellGrid& grid,
+            const RoomCells& room)
+{
+  constexpr double reach = 1; // metres up: twice the band in which walls are looked for
+  const Eigen::Vector2d run = slopes.at(p);
+  const Eigen::Vector2d place = atCeiling(p, run, grid, room);
+  const Eigen::Vector2d own = p.head<2>();
+  return (place - own).norm() < reach * run.norm() ? place : own;
 }
 
 std::vector<RoomCells>
 roomCells(const PointView& points,
           const std::vector<RoomPoints>& rooms,
+          const WallSlopes& slopes,
           const CellGrid& grid,
           const RoomCellsParameters& parameters,
           unsigned threads)
@@ -303,7 +412,7 @@ roomCells(const PointView& points,
     const CeilingEnds ends =
         gatherCeiling(points, rooms[r], grid, parameters, cells[r]);
     if (cells[r].seen.count() > 0)
-      gatherWalls(points, rooms[r], grid, parameters, ends, cells[r]);
+      gatherWalls(points, rooms[r], slopes, grid, parameters, ends, cells[r]);
   });
   return cells;
 }

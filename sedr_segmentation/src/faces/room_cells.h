@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "wall_slopes.h"
+
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/point_view.h>
 
@@ -33,9 +35,10 @@ struct RoomCells {
   CellMask seen;          ///< cells with ceiling, seen or hidden, in a box around them
   std::vector<float> top; ///< of the highest ceiling near each cell of the box
   std::vector<float> low; ///< of the lowest ceiling near it
-  CellMask solid;         ///< cells in which a surface reaches up to the ceiling
-  CellMask glass;         ///< those of them that return few rays
-  CellMask riser;         ///< cells of lintels: a surface ends at a lower ceiling
+  std::vector<float> bottom; ///< of the highest floor near it
+  CellMask solid;            ///< cells in which a surface reaches up to the ceiling
+  CellMask glass;            ///< those of them that return few rays
+  CellMask riser;            ///< cells of lintels: a surface ends at a lower ceiling
   CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
   CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
@@ -45,6 +48,11 @@ struct RoomCells {
 
   /** @brief Returns whether two rooms share more than half a metre of height. */
   bool sharesHeights(const RoomCells& other) const;
+
+  /** @brief Returns those of some cells of this room's box in which it shares more than
+   * half a metre of height with another room: with its gap there, else with its usual
+   * one. Below a gallery a hall does not meet the room above. */
+  CellMask besideRoom(const RoomCells& other, const CellMask& cells) const;
 };
 
 /** @brief Limits of the evidence of walls, metres. */
@@ -62,9 +70,26 @@ struct RoomCellsParameters {
   double pane_neighbours = 2; ///< reach in which the usual hits are counted
 };
 
-/** @brief Gathers the cells of every room. O(points + cells of the boxes). */
+/** @brief Returns where in plan a surface meets the ceiling of a room.
+ * @param p a point of the surface
+ * @param run its horizontal way for each metre up */
+Eigen::Vector2d atCeiling(const Eigen::Vector3d& p,
+                          const Eigen::Vector2d& run,
+                          const CellGrid& grid,
+                          const RoomCells& room);
+
+/** @brief Returns where in plan a point of a wall counts: where its wall meets the
+ * ceiling if that is not far above, else where it is. */
+Eigen::Vector2d placeInPlan(const Eigen::Vector3d& p,
+                            const WallSlopes& slopes,
+                            const CellGrid& grid,
+                            const RoomCells& room);
+
+/** @brief Gathers the cells of every room. O(points + cells of the boxes).
+ * @param slopes of the walls, see placeInPlan() */
 std::vector<RoomCells> roomCells(const PointView& points,
                                  const std::vector<RoomPoints>& rooms,
+                                 const WallSlopes& slopes,
                                  const CellGrid& grid,
                                  const RoomCellsParameters& parameters,
                                  unsigned threads);
@@ -76,9 +101,11 @@ boxSums(const CellMask& frame, int reach, const std::vector<float>& values);
 /** @brief Marks the solid cells with few hits of the scan as glass: fewer than a share
  * of those of the walls near them, or of the ceiling before them. An opaque surface
  * returns every ray, a pane one in ten. O(points of the scan).
- * @param indices of the scan's points to use; empty: all */
+ * @param indices of the scan's points to use; empty: all
+ * @param slopes as for roomCells() */
 void findGlass(const PointView& scan,
                const std::vector<int>& indices,
+               const WallSlopes& slopes,
                const CellGrid& grid,
                const RoomCellsParameters& parameters,
                unsigned threads,

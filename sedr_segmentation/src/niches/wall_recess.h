@@ -5,11 +5,13 @@
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
 
+#include <cmath>
 #include <vector>
 
 namespace pcl::sedr {
 
-/** @brief A point as seen from a wall: metres along it, above its floor, behind it. */
+/** @brief A point as seen from a wall: metres along it, above its floor, behind it at
+ * that height. */
 struct WallPoint {
   double along;
   double up;
@@ -23,8 +25,9 @@ seenFrom(const PlanElement& wall, const PlanSlab& floor, const Eigen::Vector3f& 
   const Eigen::Vector3d p = point.cast<double>();
   const Eigen::Vector2d way = (wall.end - wall.start).normalized();
   const Eigen::Vector2d to = p.head<2>() - wall.start;
-  return {way.dot(to), p.z() - floor.heightAt(p.head<2>()),
-          way.y() * to.x() - way.x() * to.y()};
+  const double up = p.z() - floor.heightAt(p.head<2>());
+  return {way.dot(to), up,
+          way.y() * to.x() - way.x() * to.y() + std::tan(wall.tilt) * up};
 }
 
 /** @brief A straight wall of a room, unrolled. */

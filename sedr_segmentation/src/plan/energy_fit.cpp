@@ -8,12 +8,56 @@
 #include "../sheets/sheet_relief.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
+#include "wall_feet.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace pcl::sedr {
 
 namespace {
+
+/** @brief Moves the points of walls that lean from the ceilings, as there is air below
+ * them, to the walls; where a wall meets a ceiling, points stay the ceiling's. */
+void
+takeWallsFromCeilings(const PointView& points,
+                      const WallSlopes& slopes,
+                      const CellGrid& grid,
+                      std::vector<RoomEvidence>& parts)
+{
+  constexpr float rim = 0.1F;      // metres
+  constexpr std::int32_t near = 2; // cells
+  if (slopes.areNone())
+    return;
+  for (RoomEvidence& part : parts) {
+    std::map<CellKey, float> heights; // of what is ceiling for certain
+    const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+    const auto isUpright = [&](int i) {
+      return !slopes.at(at(i).cast<double>()).isZero();
+    };
+    for (const int i : part.ceiling)
+      if (!isUpright(i))
+        heights[keyOf(grid.at(at(i).x(), at(i).y()))] = at(i).z();
+    const auto isOfCeiling = [&](int i) {
+      if (!isUpright(i))
+        return true;
+      const Cell cell = grid.at(at(i).x(), at(i).y());
+      for (std::int32_t dy = -near; dy <= near; ++dy)
+        for (std::int32_t dx = -near; dx <= near; ++dx)
+          if (const auto beside = heights.find(keyOf({cell.x + dx, cell.y + dy}));
+              beside != heights.end() && std::abs(beside->second - at(i).z()) < rim)
+            return true;
+      return false;
+    };
+    for (auto* const list : {&part.ceiling, &part.details, &part.sheets}) {
+      const auto walls = std::stable_partition(list->begin(), list->end(), isOfCeiling);
+      if (list != &part.sheets)
+        part.walls.insert(part.walls.end(), walls, list->end());
+      list->erase(walls, list->end());
+    }
+  }
+}
 
 /** @brief Returns the points of each room by what they are labelled as. */
 std::vector<RoomPoints>
@@ -84,10 +128,9 @@ fitLoops(const Storey& storey,
     CellMask others(region.box()); // their air, with a wall around it
     CellMask unseen(region.box());
     for (const std::size_t q : storey.rooms)
-      if (q != r && cells[q].sharesHeights(cells[r]) &&
-          overlapOf(region.box(), regions[q].cells.box()).count() > 0) {
-        addCells(seen[q], others);
-        addCells(regions[q].cells, unseen);
+      if (q != r && overlapOf(region.box(), regions[q].cells.box()).count() > 0) {
+        addCells(cells[q].besideRoom(cells[r], seen[q]), others);
+        addCells(cells[q].besideRoom(cells[r], regions[q].cells), unseen);
       }
     others = subtract(unite(dilated(others, 1), unseen), region);
     for (LoopContour& contour : contoursOf(region, grid, r)) {
@@ -138,17 +181,15 @@ isKnown(const std::vector<int>& seen, const std::vector<Eigen::Vector3f>& hidden
   return seen.size() + hidden.size() >= 3;
 }
 
-/** @brief Fits the main plane of a ceiling or a floor, and its facets if it has more.
+/** @brief Fits the main plane of a ceiling or a floor.
  * @param hidden places of cells that were not seen
- * @return the facets; without any if the plane is all */
-RoomSheet
-fitSurface(const PointView& points,
-           const std::vector<int>& indices,
-           const std::vector<Eigen::Vector3f>& hidden,
-           bool is_floor,
-           const std::vector<Eigen::Vector3d>& around,
-           const RoomFitParameters& parameters,
-           PlanRoom& room)
+ * @return the points on it and beside it */
+Positions
+fitMainPlane(const PointView& points,
+             const std::vector<int>& indices,
+             const std::vector<Eigen::Vector3f>& hidden,
+             const RoomFitParameters& parameters,
+             PlanSlab& main)
 {
   const Priors& priors = parameters.priors;
   Positions all;
@@ -156,13 +197,29 @@ fitSurface(const PointView& points,
     all.push_back(points[static_cast<std::size_t>(i)]);
   if (all.size() < 3)
     all.insert(all.end(), hidden.begin(), hidden.end());
-  PlanSlab& main = is_floor ? room.floor : room.ceiling;
   main = findLargerSlab(all, parameters.slab_tolerance, radians(priors.max_slab_tilt),
                         parameters.seed, parameters.threads);
   const CellGrid grid(parameters.cell_size);
   const double hidden_cells = static_cast<double>(hidden.size());
   const double seen_cells = static_cast<double>(CellSet(grid, points, indices).size());
   main.inferred = hidden.empty() ? 0 : hidden_cells / (hidden_cells + seen_cells);
+  return all;
+}
+
+/** @brief Fits the facets of a ceiling or a floor if it is more than its main plane.
+ * @param all the points on the plane and beside it
+ * @return the facets; without any if the plane is all */
+RoomSheet
+fitSurface(const PointView& points,
+           const std::vector<int>& indices,
+           const Positions& all,
+           bool is_floor,
+           const std::vector<Eigen::Vector3d>& around,
+           const RoomFitParameters& parameters,
+           PlanRoom& room)
+{
+  const Priors& priors = parameters.priors;
+  PlanSlab& main = is_floor ? room.floor : room.ceiling;
   RoomSheet sheet;
   sheet.room = room.id;
   sheet.is_floor = is_floor;
@@ -175,7 +232,6 @@ fitSurface(const PointView& points,
   SheetParameters of_surface = SheetParameters::of(priors, is_floor);
   of_surface.min_closed_area = parameters.minimum_detail_area;
   sheet.points = placesOf(points, indices);
-  sheet.indices = indices;
   sheet.sheet = surfaceWithin(room.boundary, sheet.points, of_surface, around);
   if (sheet.sheet.facets.size() > 1 || hasSlope(sheet.sheet))
     main = reliefOf(sheet.sheet, sheet.sheet.grid.size / 2);
@@ -205,15 +261,14 @@ fitPlanByEnergy(const PointView& points,
   warnings.clear();
   const CellGrid grid(parameters.cell_size);
   const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
-  const std::vector<RoomEvidence> parts =
-      shareOut(points, evidence, numbers, parameters, problem);
-  if (!problem.empty())
-    return plan;
+  std::vector<RoomEvidence> parts = roomEvidence(points, evidence, numbers, parameters);
   const RoomCellsParameters of_cells;
+  const WallSlopes slopes(points, evidence.all, threads);
+  takeWallsFromCeilings(points, slopes, grid, parts);
   std::vector<RoomCells> cells =
-      roomCells(points, labelledPoints(points, parts), grid, of_cells, threads);
+      roomCells(points, labelledPoints(points, parts), slopes, grid, of_cells, threads);
   if (scan.size() > 0)
-    findGlass(scan, scan_indices, grid, of_cells, threads, cells);
+    findGlass(scan, scan_indices, slopes, grid, of_cells, threads, cells);
   WallLineParameters of_lines;
   of_lines.cell = grid.size();
   const std::vector<Storey> storeys = storeysOf(cells, grid, of_lines, threads);
@@ -244,9 +299,13 @@ fitPlanByEnergy(const PointView& points,
     for (const bool is_floor : {false, true}) {
       const std::vector<int> indices =
           is_floor ? seenPoints(points, grid, parts[r].floor, true) : parts[r].sheets;
-      RoomSheet sheet = fitSurface(
+      const Positions all = fitMainPlane(
           points, indices, is_floor ? parts[r].hidden.floor : parts[r].hidden.ceiling,
-          is_floor, around, parameters, room);
+          parameters, is_floor ? room.floor : room.ceiling);
+      if (is_floor)
+        moveToFeet(slopes, grid, cells[r], room);
+      RoomSheet sheet =
+          fitSurface(points, indices, all, is_floor, around, parameters, room);
       if (!sheet.sheet.facets.empty())
         of_rooms[r].push_back(std::move(sheet));
     }

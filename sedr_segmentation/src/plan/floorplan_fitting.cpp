@@ -4,10 +4,8 @@
 #include "../niches/niche_fit.h"
 #include "../niches/niche_panes.h"
 #include "../scan/scan_excerpt.h"
-#include "../scan/vertical_walls.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
-#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
@@ -59,10 +57,6 @@ problemOf(const PlanInput& input)
                                               : indicesProblem(input.indices, size);
   if (problem.empty())
     problem = indicesProblem("raw cloud:", input.raw_indices, input.raw.size());
-  if (problem.empty() && !input.faces.empty() && input.scanned.size() != size)
-    problem = "the cloud has " + std::to_string(size) +
-              " points, that with the tilted walls " +
-              std::to_string(input.scanned.size());
   const auto isMissing = [&](const pcl::IndicesConstPtr& seen, auto hidden) {
     return (!seen || seen->empty()) &&
            std::all_of(input.hidden.begin(), input.hidden.end(),
@@ -100,24 +94,6 @@ orNone(const pcl::IndicesConstPtr& indices)
   return indices ? *indices : pcl::Indices();
 }
 
-/** @brief Tilts the walls of a plan of withVerticalWalls() points; the ceilings of
- * their rooms will be fitted again, where they were scanned: below vertical walls, a
- * slope is none. */
-void
-setTilts(const PlanInput& input,
-         const PointView& scanned,
-         std::vector<RoomSheet>& sheets,
-         Floorplan& plan)
-{
-  tiltWalls(input.faces, plan);
-  for (const PlanRoom& room : plan.rooms)
-    for (RoomSheet& sheet : sheets)
-      if (sheet.room == room.id && !sheet.is_floor && isTilted(room)) {
-        sheet.points = placesOf(scanned, sheet.indices);
-        sheet.sheet = {};
-      }
-}
-
 } // namespace
 
 std::string
@@ -141,6 +117,7 @@ fitFloorplan(const PlanInput& input,
   evidence.walls = orNone(input.walls);
   evidence.room = input.rooms;
   evidence.hidden = input.hidden;
+  evidence.owners = input.owners;
   std::vector<RoomSheet> sheets;
   // Null indices mean all points of the raw cloud, an empty list means none.
   const bool has_raw =
@@ -149,23 +126,13 @@ fitFloorplan(const PlanInput& input,
   const Priors& priors = parameters.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
-  PointView vertical_raw = has_raw ? input.raw : PointView();
-  std::shared_ptr<const std::vector<Eigen::Vector3f>> moved;
-  if (has_raw && !input.faces.empty()) {
-    moved = movedPoints(
-        input.raw, input.raw_indices, parameters.threads,
-        [&](const Eigen::Vector3d& p) { return withVerticalWalls(input.faces, p); });
-    vertical_raw = PointView(moved->data(), sizeof(Eigen::Vector3f), moved->size());
-  }
-  plan =
-      fitPlanByEnergy(input.points, evidence, vertical_raw, moved ? all : raw_indices,
-                      parameters, problem, warnings, boundaries, noise, sheets);
+  plan = fitPlanByEnergy(input.points, evidence, has_raw ? input.raw : PointView(),
+                         raw_indices, parameters, problem, warnings, boundaries, noise,
+                         sheets);
   if (!problem.empty())
     return problem;
-  const PointView scanned = input.faces.empty() ? input.points : input.scanned;
-  const PointView scan = has_raw ? input.raw : scanned;
+  const PointView scan = has_raw ? input.raw : input.points;
   const pcl::Indices& of_scan = has_raw ? raw_indices : input.indices;
-  setTilts(input, scanned, sheets, plan);
   if (has_raw)
     leaveOutPanes(plan, input.raw, raw_indices, priors);
   AdjustmentParameters adjustment;
@@ -181,7 +148,8 @@ fitFloorplan(const PlanInput& input,
   dropSharedNiches(plan);
   giveCeilings(std::move(sheets), scan, of_scan, parameters.threads, plan);
   endBelowRoomsAbove(plan, priors);
-  measureEvidence(plan, scanned, input.indices, priors.wall_band, parameters.threads);
+  measureEvidence(plan, input.points, input.indices, priors.wall_band,
+                  parameters.threads);
   for (const PlanRoom& room : plan.rooms)
     for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
       if (const double tilt = room.boundary.elements[e].tilt; tilt != 0)

@@ -29,10 +29,6 @@ giveCeilings(std::vector<RoomSheet> sheets,
     const PlanLoop outline =
         outermostBoundary(before[static_cast<std::size_t>(room - plan.rooms.begin())]);
     FacetSheet& sheet = sheets[k].sheet;
-    if (sheet.facets.empty())
-      sheet = surfaceWithin(outline, sheets[k].points, parameters);
-    if (sheet.facets.empty())
-      return;
     refitToScan(sheet, scan, indices, parameters);
     const std::vector<Eigen::Vector3d> risers = pointsOfRisers(sheet, scan, indices);
     PlanRoom outermost; // another thread may write to the room

@@ -14,15 +14,13 @@ namespace pcl::sedr {
 struct RoomSheet {
   std::uint32_t room = 0; ///< PlanRoom::id
   std::vector<Eigen::Vector3d> points;
-  FacetSheet sheet{}; ///< fitted to them; without facets: not yet
+  FacetSheet sheet{}; ///< fitted to them
   bool is_floor = false;
-  std::vector<int> indices{}; ///< of the points in the cloud
 };
 
 /** @brief Sets the facets of ceilings and floors.
  * @param scan the points that the facets are fitted to, the raw ones if known
- * @param indices those to use; empty: all
- * @param plan points of rooms with tilted walls are where they were scanned */
+ * @param indices those to use; empty: all */
 void giveCeilings(std::vector<RoomSheet> sheets,
                   const PointView& scan,
                   const std::vector<int>& indices,

@@ -3,54 +3,53 @@
 
 #include "../air/height_counts.h"
 #include "../faces/room_cells.h"
-#include "../niches/niche_fit.h"
-#include "room_territory.h"
-#include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "room_gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <memory>
 
 namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the height range of each room, pits included; one without floor
- * points is as high as usual below the lowest of its ceiling.
- * @param pit least area of one, square metres */
-std::vector<RoomHeights>
-heightsOfRooms(const PointView& points,
-               const CellGrid& grid,
-               double pit,
-               const std::vector<std::vector<int>>& floors,
-               const std::vector<std::vector<int>>& ceilings,
-               const std::vector<std::vector<int>>& details,
-               const std::vector<HiddenCells>& hidden)
+/** @brief Returns the gaps of a room: from its ceiling, as high as in each cell, down
+ * to its lowest floor that is as large as a pit; without floor points it is as high as
+ * usual.
+ * @param room its number */
+void
+appendGaps(const PointView& points,
+           const CellGrid& grid,
+           const RoomEvidence& evidence,
+           double pit,
+           std::uint32_t room,
+           std::vector<RoomGap>& gaps)
 {
-  std::vector<RoomHeights> heights;
-  for (std::size_t r = 0; r < floors.size(); ++r) {
-    std::vector<float> above;
-    for (const auto* part : {&ceilings[r], &details[r]})
-      for (const int i : *part)
-        above.push_back(points[static_cast<std::size_t>(i)].z());
-    for (const Eigen::Vector3f& place : hidden[r].ceiling)
-      above.push_back(place.z());
-    double floor = 0;
-    HeightCounts lows;
-    for (const int i : floors[r])
-      if (points.isFinite(static_cast<std::size_t>(i)))
-        lows.add(points[static_cast<std::size_t>(i)].z());
-    if (!lows.empty())
-      floor = lows.lowestOf(
-          pit / (static_cast<double>(CellSet(grid, points, floors[r]).size()) *
-                 grid.size() * grid.size()));
-    else if (!above.empty())
-      floor = *std::min_element(above.begin(), above.end()) - usual_height;
-    heights.push_back(heightsFrom(floor, std::move(above)));
-  }
-  return heights;
+  std::map<CellKey, float> top;
+  const auto add = [&](const Eigen::Vector3f& p) {
+    const auto cell = top.emplace(keyOf(grid.at(p.x(), p.y())), p.z()).first;
+    cell->second = std::max(cell->second, p.z());
+  };
+  for (const auto* part : {&evidence.ceiling, &evidence.details})
+    for (const int i : *part)
+      add(points[static_cast<std::size_t>(i)]);
+  for (const Eigen::Vector3f& place : evidence.hidden.ceiling)
+    add(place);
+  if (top.empty())
+    return;
+  HeightCounts lows;
+  for (const int i : evidence.floor)
+    lows.add(points[static_cast<std::size_t>(i)].z());
+  const double area =
+      static_cast<double>(CellSet(grid, points, evidence.floor).size()) * grid.size() *
+      grid.size();
+  const double lowest =
+      std::min_element(top.begin(), top.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->second;
+  const double floor = lows.empty() ? lowest - usual_height : lows.lowestOf(pit / area);
+  for (const auto& [cell, high] : top)
+    gaps.push_back({cellOf(cell), room, static_cast<float>(floor), high,
+                    static_cast<float>(floor)});
 }
 
 } // namespace
@@ -101,87 +100,68 @@ seenPoints(const PointView& points,
 }
 
 std::vector<RoomEvidence>
-shareOut(const PointView& points,
-         const PlanEvidence& evidence,
-         const std::vector<std::uint32_t>& numbers,
-         const RoomFitParameters& parameters,
-         std::string& problem)
+roomEvidence(const PointView& points,
+             const PlanEvidence& evidence,
+             const std::vector<std::uint32_t>& numbers,
+             const RoomFitParameters& parameters)
 {
-  const Priors& priors = parameters.priors;
   const CellGrid grid(parameters.cell_size);
-  const auto labelled = [&](int i) -> std::int32_t {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (!points.isFinite(static_cast<std::size_t>(i)) || !grid.holds(p.x(), p.y()))
-      return -1;
-    if (evidence.room.empty())
-      return 0;
-    const auto number = evidence.room[static_cast<std::size_t>(i)];
+  std::vector<RoomEvidence> rooms(numbers.size());
+  const auto roomOf = [&](std::uint32_t number) -> RoomEvidence* {
     const auto it = std::lower_bound(numbers.begin(), numbers.end(), number);
     return it != numbers.end() && *it == number
-               ? static_cast<std::int32_t>(it - numbers.begin())
-               : -1;
+               ? &rooms[static_cast<std::size_t>(it - numbers.begin())]
+               : nullptr;
   };
-  const auto shareBy = [&](const std::vector<int>& indices, const auto& roomOf) {
-    std::vector<std::int32_t> room_of(indices.size()); // -1: none
-    parallelFor(indices.size(), points_a_block, parameters.threads,
-                [&](std::size_t k) { room_of[k] = roomOf(indices[k]); });
-    std::vector<std::vector<int>> shares(numbers.size());
-    for (std::size_t k = 0; k < indices.size(); ++k)
-      if (room_of[k] >= 0)
-        shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
-    return shares;
+  const auto labelled = [&](int i) -> RoomEvidence* {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!points.isFinite(static_cast<std::size_t>(i)) || !grid.holds(p.x(), p.y()))
+      return nullptr;
+    return evidence.room.empty() ? &rooms.front()
+                                 : roomOf(evidence.room[static_cast<std::size_t>(i)]);
   };
-  auto ceilings = shareBy(evidence.ceiling, labelled);
-  auto details = shareBy(evidence.details, labelled);
-  std::vector<std::vector<int>> of_sheets(numbers.size());
-  for (std::size_t r = 0; r < numbers.size(); ++r) {
-    std::vector<int> both = ceilings[r];
-    both.insert(both.end(), details[r].begin(), details[r].end());
-    of_sheets[r] = seenPoints(points, grid, both, false);
+  const auto share = [&](const std::vector<int>& indices, auto list, auto ownerOf) {
+    for (const int i : indices)
+      if (RoomEvidence* const room = ownerOf(i))
+        (room->*list).push_back(i);
+  };
+  share(evidence.ceiling, &RoomEvidence::ceiling, labelled);
+  share(evidence.details, &RoomEvidence::details, labelled);
+  share(evidence.floor, &RoomEvidence::floor, labelled);
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    std::vector<int> both = rooms[r].ceiling;
+    both.insert(both.end(), rooms[r].details.begin(), rooms[r].details.end());
+    rooms[r].sheets = seenPoints(points, grid, both, false);
+    if (const auto known = evidence.hidden.find(numbers[r]);
+        known != evidence.hidden.end())
+      rooms[r].hidden = known->second;
   }
-  std::vector<CellSet> scopes;
-  std::vector<HiddenCells> hidden;
-  for (std::size_t r = 0; r < numbers.size(); ++r) {
-    const auto known = evidence.hidden.find(numbers[r]);
-    hidden.push_back(known == evidence.hidden.end() ? HiddenCells() : known->second);
-    scopes.push_back(unite(
-        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])),
-        cellsOf(grid, hidden[r].ceiling)));
+  std::vector<PointOwner> found;
+  if (evidence.owners.empty()) {
+    std::vector<RoomGap> gaps;
+    for (std::size_t r = 0; r < rooms.size(); ++r)
+      appendGaps(points, grid, rooms[r], parameters.minimum_detail_area, numbers[r],
+                 gaps);
+    found =
+        RoomGaps(grid, gaps, parameters.priors).ownersOf(points, parameters.threads);
   }
-  const std::vector<RoomHeights> heights =
-      heightsOfRooms(points, grid, parameters.minimum_detail_area,
-                     shareBy(evidence.floor, labelled), ceilings, details, hidden);
-  std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
-  parallelBlocks(territories.size(), 1, parameters.threads,
-                 [&](std::size_t k, std::size_t) {
-                   territories[k] = std::make_unique<RoomTerritory>(
-                       grid, scopes, heights,
-                       k == 0 ? wallReach(priors) : nicheReach({priors}), priors);
-                 });
-  const RoomTerritory& territory = *territories[0];
-  const RoomTerritory& wide = *territories[1];
-  problem = territory.problem().empty() ? wide.problem() : territory.problem();
-  if (!problem.empty())
-    return {};
-  const std::vector<std::int32_t> room_of =
-      territory.roomsAt(points, parameters.threads);
-  const auto nearest = [&](int i) { return room_of[static_cast<std::size_t>(i)]; };
-  auto floors = shareBy(evidence.floor, [&](int i) {
-    const std::int32_t room = labelled(i);
-    return room < 0 ? nearest(i) : room;
-  });
-  auto around = shareBy(evidence.all, nearest);
-  auto behind = shareBy(evidence.all, [&](int i) {
-    return nearest(i) < 0 ? wide.roomAt(points[static_cast<std::size_t>(i)]) : -1;
-  });
-  auto walls = evidence.walls.empty() ? around : shareBy(evidence.walls, nearest);
-
-  std::vector<RoomEvidence> rooms;
-  for (std::size_t r = 0; r < numbers.size(); ++r)
-    rooms.push_back({std::move(around[r]), std::move(ceilings[r]),
-                     std::move(details[r]), std::move(floors[r]), std::move(walls[r]),
-                     std::move(behind[r]), std::move(of_sheets[r]),
-                     std::move(hidden[r])});
+  const std::vector<PointOwner>& owners =
+      evidence.owners.empty() ? found : evidence.owners;
+  const auto owned = [&](bool beyond) {
+    return [&, beyond](int i) -> RoomEvidence* {
+      const PointOwner& owner = owners[static_cast<std::size_t>(i)];
+      return owner.beyond == beyond ? roomOf(owner.room) : nullptr;
+    };
+  };
+  share(evidence.floor, &RoomEvidence::floor,
+        [&](int i) { return labelled(i) ? nullptr : owned(false)(i); });
+  share(evidence.all, &RoomEvidence::around, owned(false));
+  share(evidence.all, &RoomEvidence::behind, owned(true));
+  if (evidence.walls.empty())
+    for (RoomEvidence& room : rooms)
+      room.walls = room.around;
+  else
+    share(evidence.walls, &RoomEvidence::walls, owned(false));
   return rooms;
 }
 

@@ -22,6 +22,7 @@ struct PlanEvidence {
   std::vector<int> walls; ///< empty: all
   std::vector<std::uint32_t> room;
   std::map<std::uint32_t, HiddenCells> hidden; ///< by room
+  std::vector<PointOwner> owners;              ///< of each point; empty: to be found
 };
 
 /** @brief The points of a room: indices. */
@@ -39,15 +40,13 @@ struct RoomEvidence {
 /** @brief Returns the room numbers, increasing, without 0. */
 std::vector<std::uint32_t> roomNumbers(const PlanEvidence& evidence);
 
-/** @brief Shares the points out to the rooms: ceilings and details by their labels, all
- * else to the room with the nearest ceiling in plan.
- * @return the points of each room, in the order of the numbers
- * @param[out] problem why that is impossible, a sentence; else empty */
-std::vector<RoomEvidence> shareOut(const PointView& points,
-                                   const PlanEvidence& evidence,
-                                   const std::vector<std::uint32_t>& numbers,
-                                   const RoomFitParameters& parameters,
-                                   std::string& problem);
+/** @brief Lists the points of each room: ceilings, details and floors by their labels,
+ * all else by their owners.
+ * @return the points of each room, in the order of the numbers */
+std::vector<RoomEvidence> roomEvidence(const PointView& points,
+                                       const PlanEvidence& evidence,
+                                       const std::vector<std::uint32_t>& numbers,
+                                       const RoomFitParameters& parameters);
 
 /** @brief Returns those of the points of a ceiling, or of a floor, that nothing of them
  * hides from inside the room, without vertical faces. */

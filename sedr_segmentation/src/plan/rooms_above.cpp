@@ -63,8 +63,9 @@ lowerRelief(const std::vector<Floor>& floors, const PlanLoop& region, PlanSlab& 
   for (std::size_t k = 0; k < relief.heights.size(); ++k) {
     const Eigen::Vector2d place =
         relief.centre +
-        relief.spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
-                                         static_cast<double>(k / relief.columns));
+        relief.spacing * (static_cast<double>(k % relief.columns) * relief.axis +
+                          static_cast<double>(k / relief.columns) *
+                              Eigen::Vector2d(-relief.axis.y(), relief.axis.x()));
     double height = relief.heights[k];
     for (const Floor& floor : floors)
       if (floor.box.exteriorDistance(place) < reach &&

@@ -286,9 +286,13 @@ roomRegions(const std::vector<RoomCells>& rooms,
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = 0; b < n; ++b)
       if (is_used[a] && is_used[b] &&
-          (a == b || (rooms[a].sharesHeights(rooms[b]) &&
-                      overlapOf(rooms[a].seen.box(), rooms[b].seen.box()).count() > 0)))
+          (a == b || (overlapOf(rooms[a].seen.box(), rooms[b].seen.box()).count() > 0 &&
+                      rooms[b].besideRoom(rooms[a], rooms[b].seen).count() > 0)))
         beside[a].push_back(b);
+  // Cells of room q where it is beside room r.
+  const auto at = [&](std::size_t r, std::size_t q, const CellMask& cells) {
+    return q == r ? cells : rooms[q].besideRoom(rooms[r], cells);
+  };
   std::vector<Surroundings> around(n);
   std::vector<CellMask> cores(n);
   parallelBlocks(n, 1, threads, [&](std::size_t r, std::size_t) {
@@ -296,7 +300,7 @@ roomRegions(const std::vector<RoomCells>& rooms,
       return;
     around[r].opaque = CellMask(rooms[r].seen.box());
     for (const std::size_t q : beside[r])
-      addCells(subtract(rooms[q].solid, rooms[q].glass), around[r].opaque);
+      addCells(at(r, q, subtract(rooms[q].solid, rooms[q].glass)), around[r].opaque);
     cores[r] = coreOf(rooms[r], around[r].opaque);
   });
   std::vector<RoomRegion> regions(n);
@@ -306,10 +310,10 @@ roomRegions(const std::vector<RoomCells>& rooms,
     own.air = own.others = CellMask(box);
     CellMask glassy(box);
     for (const std::size_t q : beside[r]) {
-      addCells(rooms[q].seen, own.air);
-      addCells(rooms[q].glass, glassy);
+      addCells(at(r, q, rooms[q].seen), own.air);
+      addCells(at(r, q, rooms[q].glass), glassy);
       if (q != r)
-        addCells(cores[q], own.others);
+        addCells(at(r, q, cores[q]), own.others);
     }
     own.others = subtract(own.others, rooms[r].seen);
     for (auto& factor : own.factor)
@@ -334,7 +338,7 @@ roomRegions(const std::vector<RoomCells>& rooms,
     markCells(closed(columns, 1.5), 0, own.factor);
     for (const std::size_t q : beside[r]) // what other rooms have already
       if (q < r && regions[q].cells.count() > 0)
-        addCells(regions[q].cells, own.others);
+        addCells(at(r, q, regions[q].cells), own.others);
     regions[r] = RegionCut(rooms[r], own, behind.found(), grid, energy).region();
     regions[r].beyond = subtract(unite(behind.found().reveal, behind.found().back),
                                  dilated(regions[r].cells, 1));

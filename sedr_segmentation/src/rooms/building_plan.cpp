@@ -48,19 +48,39 @@ giveStoreys(const Building& building, Floorplan& plan)
     return id == 0 || std::any_of(plan.rooms.begin(), plan.rooms.end(),
                                   [&](const PlanRoom& room) { return room.id == id; });
   };
-  const auto isKept = [&](const auto& link) {
-    return isKnown(link.rooms[0]) && isKnown(link.rooms[1]) && link.leadsSomewhere();
+  const auto isKept = [&](const PlanStair& stair) {
+    return isKnown(stair.rooms[0]) && isKnown(stair.rooms[1]) && stair.leadsSomewhere();
   };
   plan.storeys = building.storeys;
   plan.storeys = storeysOf(plan); // without the rooms that have no plan
-  plan.doorways.clear();
   plan.stairs.clear();
-  std::copy_if(building.doorways.begin(), building.doorways.end(),
-               std::back_inserter(plan.doorways), isKept);
   std::copy_if(building.stairs.begin(), building.stairs.end(),
                std::back_inserter(plan.stairs), isKept);
   for (PlanStair& stair : plan.stairs)
     standOnFloors(plan, stair);
+}
+
+std::vector<PlanWarning>
+linksWithoutOpening(const Building& building, const Floorplan& plan)
+{
+  std::vector<PlanWarning> warnings;
+  for (const RoomLink& link : building.links) {
+    const auto [room, other] = link.rooms;
+    const Eigen::Vector2d middle = (link.start + link.end) / 2;
+    const auto isOpening = [&, a = room, b = other](const PlanOpening& opening) {
+      return std::minmax(opening.rooms[0], opening.rooms[1]) == std::minmax(a, b) &&
+             isAt(opening, middle, link.bottom, link.top);
+    };
+    if (findRoom(plan, room) && findRoom(plan, other) &&
+        std::none_of(plan.openings.begin(), plan.openings.end(), isOpening))
+      warnings.push_back({WarningKind::NoOpening,
+                          {link.width(), link.height(), static_cast<double>(other)},
+                          room,
+                          0,
+                          {},
+                          middle});
+  }
+  return warnings;
 }
 
 } // namespace pcl::sedr

@@ -2,11 +2,8 @@
 #include "scan_check.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 
 namespace pcl::sedr {
 
@@ -41,77 +38,29 @@ exceedsBuildings(const Eigen::Vector3d& extents, const Priors& priors)
          std::min(extents.x(), extents.y()) > priors.max_building_extent;
 }
 
-/** @brief Number of points per block. */
-constexpr std::size_t block = std::size_t{1} << 16;
-
-/** @brief Counts the finite points from `begin` to `end`. */
-std::size_t
-countFinite(const PointView& points, std::size_t begin, std::size_t end)
-{
-  // Usually all are finite: then the sums of 0 * value are 0, else NaN. Four sums avoid
-  // data dependencies.
-  std::array<float, 4> zero{};
-  for (std::size_t i = begin; i < end; ++i)
-    zero[i % 4] += 0 * points[i].sum();
-  if (zero[0] + zero[1] + zero[2] + zero[3] == 0)
-    return end - begin;
-  std::size_t finite = 0;
-  for (std::size_t i = begin; i < end; ++i)
-    finite += points.isFinite(i) ? 1 : 0;
-  return finite;
-}
-
 } // namespace
 
-void
-ScanSample::add(const PointView& points, unsigned threads)
-{
-  add(points, [&](const RowSource::SeeRun& see_run) {
-    parallelBlocks(points.size(), block, threads, see_run);
-  });
-}
-
-void
-ScanSample::add(const PointView& points, const Read& read)
-{
-  const std::size_t blocks = (points.size() + block - 1) / block;
-  std::vector<std::atomic<std::size_t>> finite(blocks);
-  for (auto& count : finite)
-    count = 0;
-  read([&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin / block; b * block < end; ++b)
-      finite[b] += countFinite(points, std::max(begin, b * block),
-                               std::min(end, (b + 1) * block));
-  });
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t begin = b * block;
-    const std::size_t end = std::min(begin + block, points.size());
-    if (finite[b] < end - begin) {
-      for (std::size_t i = begin; i < end; ++i)
-        add(points[i]);
-      continue;
-    }
-    for (std::size_t k = (step_ - finite_ % step_) % step_; k < finite[b]; k += step_)
-      sample_.push_back(points[begin + k]);
-    finite_ += finite[b];
-  }
-}
-
-bool
-ScanSample::isTooLarge(const Priors& priors) const
-{
-  return !sample_.empty() && exceedsBuildings(extentsOf(sample_), priors);
-}
-
 std::string
-ScanSample::problem(const Priors& priors) const
+scanProblem(const PointView& points,
+            const std::vector<int>* indices,
+            const Priors& priors)
 {
+  constexpr std::size_t max_sample = 100000;
+  const std::size_t size = indices ? indices->size() : points.size();
+  const std::size_t step = size / max_sample + 1;
+  std::vector<Eigen::Vector3f> sample;
+  std::size_t finite = 0;
+  for (std::size_t k = 0; k < size; ++k)
+    if (const Eigen::Vector3f p =
+            points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
+        p.allFinite() && finite++ % step == 0)
+      sample.push_back(p);
   const auto fewest = static_cast<std::size_t>(priors.min_scan_points);
-  if (finite_ < fewest)
+  if (finite < fewest)
     return formatText("%.0f of %.0f points are finite, a room needs at least %.0f",
-                      static_cast<double>(finite_), static_cast<double>(size_),
+                      static_cast<double>(finite), static_cast<double>(size),
                       static_cast<double>(fewest));
-  const Eigen::Vector3d extents = extentsOf(sample_);
+  const Eigen::Vector3d extents = extentsOf(sample);
   const double x = extents.x();
   const double y = extents.y();
   const double z = extents.z();
@@ -133,17 +82,6 @@ ScanSample::problem(const Priors& priors) const
         "the metre",
         x, y, z);
   return {};
-}
-
-std::string
-scanProblem(const PointView& points,
-            const std::vector<int>& indices,
-            const Priors& priors)
-{
-  ScanSample sample(indices.size());
-  for (const int i : indices)
-    sample.add(points[static_cast<std::size_t>(i)]);
-  return sample.problem(priors);
 }
 
 } // namespace pcl::sedr

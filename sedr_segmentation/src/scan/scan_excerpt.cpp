@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_excerpt.h"
-#include "sedr_filters/src/base/parallel.h"
-
-#include <atomic>
-#include <stdexcept>
+#include "sedr_filters/src/base/parallel_for.h"
 
 namespace pcl::sedr {
 
@@ -11,89 +8,53 @@ void
 addToExcerpt(const PointView& points,
              std::size_t first,
              std::size_t step,
-             ScanSample& sample,
-             std::vector<Eigen::Vector3f>& excerpt,
-             const ScanSample::Read& read)
+             std::vector<Eigen::Vector3f>& excerpt)
 {
-  const auto upTo = [&](std::size_t end) { return (first + end + step - 1) / step; };
-  const std::size_t before = excerpt.size();
-  excerpt.resize(before + upTo(points.size()) - upTo(0));
-  sample.add(points, [&](const RowSource::SeeRun& count) {
-    read([&](std::size_t begin, std::size_t end) {
-      count(begin, end);
-      for (std::size_t k = upTo(begin); k < upTo(end); ++k)
-        excerpt[before + k - upTo(0)] = points[k * step - first];
-    });
-  });
+  for (std::size_t k = (first + step - 1) / step * step; k < first + points.size();
+       k += step)
+    excerpt.push_back(points[k - first]);
 }
-
-ScanExcerpt::ScanExcerpt(const RowSource& scan,
-                         std::size_t max_points,
-                         unsigned threads)
-    : scan_(scan)
-    , step_(rawStep(scan.size(), max_points))
-    , threads_(threads)
-    , points_(new std::vector<Eigen::Vector3f>)
-{}
 
 void
-ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
+movePoints(const BuildingFrame& frame,
+           const PointView& points,
+           unsigned threads,
+           Eigen::Vector3f* moved)
 {
-  problem_.clear();
-  points_->clear();
-  points_->reserve(scan_.size() / step_ + 1);
-  ScanSample sample(scan_.size());
-  RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
-  std::size_t looked_at = 0;
-  scan_.forEachPiece([&](const Piece& piece) {
-    const PointView points = coordinates.of(piece.rows, piece.size, threads_);
-    bool goes_on = true;
-    addToExcerpt(points, piece.first, step_, sample, *points_,
-                 [&](const SeeRun& see_run) { goes_on = show(piece, see_run, see); });
-    // Checked whenever the amount read has doubled, so the cost is negligible.
-    const std::size_t seen = piece.first + piece.size;
-    if (seen >= 2 * looked_at && seen < scan_.size()) {
-      looked_at = seen;
-      if (sample.isTooLarge())
-        problem_ = problemOfAll();
-    }
-    return problem_.empty() && goes_on;
+  parallelFor(points.size(), points_a_block, threads, [&](std::size_t i) {
+    moved[i] = frame.toBuilding(points[i].cast<double>()).cast<float>();
   });
-  if (problem_.empty())
-    problem_ = sample.problem();
 }
 
-bool
-ScanExcerpt::show(const Piece& piece,
-                  const SeeRun& see_run,
-                  const std::function<bool(const Piece&)>& see) const
+MovedRows::MovedRows(const RowSource& scan,
+                     const BuildingFrame& frame,
+                     unsigned threads)
+    : scan_(scan)
+    , frame_(frame)
+    , threads_(threads)
 {
-  constexpr std::size_t rows_at_once = std::size_t{1} << 16;
-  std::atomic<std::size_t> seen{0};
-  Piece shown = piece;
-  shown.beside = [&](std::size_t begin, std::size_t end) {
-    seen += end - begin;
-    see_run(begin, end);
-  };
-  const bool goes_on = see(shown);
-  if (seen == 0)
-    parallelBlocks(piece.size, rows_at_once, threads_, see_run);
-  else if (seen != piece.size)
-    throw std::logic_error("of " + std::to_string(piece.size) + " rows of a piece " +
-                           std::to_string(seen) + " were shown: all or none must be");
-  return goes_on;
+  for (const char* name : {"x", "y", "z"}) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.offset = static_cast<std::uint32_t>(fields_.size() * sizeof(float));
+    field.datatype = pcl::PCLPointField::FLOAT32;
+    field.count = 1;
+    fields_.push_back(field);
+  }
 }
 
-std::string
-ScanExcerpt::problemOfAll() const
+void
+MovedRows::forEachPiece(const std::function<bool(const Piece&)>& see) const
 {
-  ScanSample sample(scan_.size());
   RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
+  std::vector<Eigen::Vector3f> moved;
   scan_.forEachPiece([&](const Piece& piece) {
-    sample.add(coordinates.of(piece.rows, piece.size, threads_), threads_);
-    return true;
+    moved.resize(piece.size);
+    movePoints(frame_, coordinates.of(piece.rows, piece.size, threads_), threads_,
+               moved.data());
+    return see(
+        {reinterpret_cast<const std::uint8_t*>(moved.data()), piece.first, piece.size});
   });
-  return sample.problem();
 }
 
 } // namespace pcl::sedr

@@ -92,6 +92,7 @@ heightsOfScanners(const Floorplan& plan, const std::vector<Eigen::Vector3f>& pla
 
 std::string
 footProblem(const Floorplan& plan,
+            const std::vector<RoomLink>& links,
             const std::vector<Eigen::Vector3f>& places,
             const Priors& priors)
 {
@@ -120,8 +121,8 @@ footProblem(const Floorplan& plan,
   UnitEvidence evidence;
   evidence.nats = sum / whole;
   std::vector<double> doors;
-  for (const PlanDoorway& doorway : plan.doorways)
-    doors.push_back(doorway.top - doorway.bottom);
+  for (const RoomLink& link : links)
+    doors.push_back(link.height());
   std::vector<double> walls;
   for (const auto& of_room : wallThicknesses(plan, priors.max_wall / foot))
     for (const double thickness : of_room)

@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
+#include <pcl/sedr_segmentation/building.h>
 
 #include <cstddef>
 #include <string>
@@ -29,8 +30,10 @@ std::string inchProblem(const PointView& points, std::size_t storeys);
  * of the range that the priors give, which is two deviations wide; some are far above
  * it, but below deviations are half as wide: one hits one's head. O(rooms times
  * places).
+ * @param links of the rooms, as high as their doors
  * @param places where the scanner stood, in the frame of the plan; may be empty */
 std::string footProblem(const Floorplan& plan,
+                        const std::vector<RoomLink>& links = {},
                         const std::vector<Eigen::Vector3f>& places = {},
                         const Priors& priors = {});
 

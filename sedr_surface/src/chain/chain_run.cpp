@@ -2,9 +2,10 @@
 #include "chain_run.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
+#include "sedr_segmentation/src/scan/scan_up.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
-#include <pcl/sedr_segmentation/tilted_faces.h>
+#include <pcl/sedr_segmentation/building_frame.h>
 
 #include <chrono>
 #include <cmath>
@@ -41,8 +42,8 @@ ChainRun::fail(const std::string& reason)
   const std::string doubt = inchProblem(PointView(*chain_.cloud), 0);
   if (!doubt.empty())
     chain_.problem += "; " + doubt;
-  if (up_doubt_.isDoubtful() && reason != up_doubt_.reason)
-    chain_.problem += "; " + up_doubt_.reason;
+  if (!chain_.up_doubt_.empty() && reason != chain_.up_doubt_)
+    chain_.problem += "; " + chain_.up_doubt_;
   return false;
 }
 
@@ -65,28 +66,6 @@ ChainRun::warnOfLostPoints()
           {100.0 * static_cast<double>(lost) / static_cast<double>(raw.size())}});
 }
 
-bool
-ChainRun::checkScan()
-{
-  chain_.failed_stage = "input";
-  if (const std::string wrong = problemOf(chain_.priors_); !wrong.empty())
-    return fail(wrong);
-  if (chain_.trust_up)
-    return true;
-  std::vector<Eigen::Vector3d> stations;
-  for (const Eigen::Vector3f& place :
-       sight_ ? sight_->places() : std::vector<Eigen::Vector3f>())
-    stations.push_back(place.cast<double>());
-  up_doubt_ = doubtOfUp(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-                        stations, chain_.room_segmentation.getNumberOfThreads(),
-                        chain_.priors_, chain_.unit_is_known);
-  if (up_doubt_.isInclined())
-    return fail(up_doubt_.reason);
-  if (up_doubt_.isDoubtful())
-    warn({WarningKind::Up, {}, 0, 0, up_doubt_.reason});
-  return true;
-}
-
 namespace {
 
 /** @brief Returns the centre of the bounding box of the finite points. */
@@ -102,41 +81,97 @@ middleOf(const StructureChain::Cloud& cloud)
 
 } // namespace
 
-void
-ChainRun::levelScan()
+bool
+ChainRun::checkUp(const ScanPositions& positions)
 {
-  if (!(up_doubt_.tilt.angle > 0))
-    return;
-  chain_.levelling = Levelling::of(up_doubt_.tilt.up, middleOf(*chain_.cloud));
-  for (auto& p : *chain_.cloud)
-    p.getVector3fMap() =
-        chain_.levelling->level(p.getVector3fMap().cast<double>()).cast<float>();
-  chain_.floorplan_fitting.moveRawPoints(
-      [&](const Eigen::Vector3d& p) { return chain_.levelling->level(p); });
-  if (sight_)
-    sight_ = std::make_shared<SightLines>(sight_->levelled(*chain_.levelling));
-  warn(warningOf(WarningKind::Levelled,
-                 chain_.keep_levelled ? "points, mesh and solid stay level"
-                                      : "points, mesh and solid are turned back",
-                 {chain_.levelling->angle() * 180 / M_PI,
-                  chain_.levelling->direction() * 180 / M_PI}));
-}
-
-void
-ChainRun::makeWallsVertical()
-{
-  faces_ = tiltedFaces(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-                       chain_.room_segmentation.getNumberOfThreads());
-  if (faces_.empty())
-    return;
-  scanned_.reset(new Cloud(*chain_.cloud));
-  for (auto& p : *chain_.cloud)
-    p.getVector3fMap() =
-        withVerticalWalls(faces_, p.getVector3fMap().cast<double>()).cast<float>();
+  if (chain_.trust_up)
+    return true;
+  std::vector<Eigen::Vector3d> stations;
+  for (const ScanPosition& position : positions)
+    if (position.isKnown())
+      stations.push_back(position.place.cast<double>());
+  if (stations.empty() && sight_)
+    for (const Eigen::Vector3f& place : sight_->places())
+      stations.push_back(place.cast<double>());
+  const UpDoubt doubt =
+      doubtOfUp(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()), stations,
+                chain_.room_segmentation.getNumberOfThreads(), chain_.priors_,
+                chain_.unit_is_known);
+  chain_.seems_in_feet_ = doubt.is_in_feet;
+  if (doubt.isDoubtful())
+    chain_.up_doubt_ = doubt.reason;
+  if (doubt.isInclined())
+    return fail(doubt.reason);
+  if (doubt.isDoubtful())
+    warn({WarningKind::Up, {}, 0, 0, doubt.reason});
+  if (doubt.tilt.angle > 0) {
+    chain_.levelling = Levelling::of(doubt.tilt.up, middleOf(*chain_.cloud));
+    warn(warningOf(WarningKind::Levelled,
+                   chain_.keep_levelled ? "points, mesh and solid stay level"
+                                        : "points, mesh and solid are turned back",
+                   {chain_.levelling->angle() * 180 / M_PI,
+                    chain_.levelling->direction() * 180 / M_PI}));
+  }
+  return true;
 }
 
 bool
-ChainRun::findStructure()
+ChainRun::findFrame(const ScanPositions& positions, bool own)
+{
+  chain_.failed_stage = "input";
+  if (const std::string wrong = problemOf(chain_.priors_); !wrong.empty())
+    return fail(wrong);
+  if (!checkUp(positions))
+    return false;
+  chain_.frame = own ? findBuildingFrame(PointView(*chain_.cloud), {},
+                                         chain_.room_segmentation.getNumberOfThreads(),
+                                         chain_.levelFrame().rotation,
+                                         chain_.plane_detection.getGridSize())
+                     : chain_.levelFrame();
+  return true;
+}
+
+void
+ChainRun::moveToBuilding()
+{
+  for (auto& p : *chain_.cloud)
+    p.getVector3fMap() =
+        chain_.frame.toBuilding(p.getVector3fMap().cast<double>()).cast<float>();
+  chain_.floorplan_fitting.moveRawPoints(
+      [&](const Eigen::Vector3d& p) { return chain_.frame.toBuilding(p); });
+  if (sight_)
+    sight_ = std::make_shared<SightLines>(sight_->moved(chain_.frame));
+}
+
+void
+ChainRun::moveBack()
+{
+  const BuildingFrame back = chain_.frame.to(chain_.levelFrame());
+  const Eigen::Vector3d shift = back.toBuilding(Eigen::Vector3d::Zero());
+  const auto movePlace = [&](Eigen::Vector2d& at) {
+    at = back.toBuilding({at.x(), at.y(), 0}).head<2>();
+  };
+  for (auto& p : *chain_.cloud)
+    p.getVector3fMap() =
+        back.toBuilding(p.getVector3fMap().cast<double>()).cast<float>();
+  for (auto& p : *chain_.structure) {
+    p.getVector3fMap() =
+        back.toBuilding(p.getVector3fMap().cast<double>()).cast<float>();
+    p.getNormalVector3fMap() =
+        (back.rotation * p.getNormalVector3fMap().cast<double>()).cast<float>();
+  }
+  *chain_.plan = moved(std::move(*chain_.plan), back.yaw(), shift);
+  for (PlanWarning& warning : chain_.warnings)
+    movePlace(warning.at);
+  for (CoverageGap& gap : chain_.coverage.left_out) {
+    movePlace(gap.at);
+    gap.floor += shift.z();
+    gap.ceiling += shift.z();
+  }
+}
+
+void
+ChainRun::warnOfInput()
 {
   warnOfLostPoints();
   if (chain_.stray_share >= 5e-4)
@@ -150,19 +185,25 @@ ChainRun::findStructure()
     warn({WarningKind::Mirrors,
           {static_cast<double>(mirrored.mirrors),
            static_cast<double>(mirrored.points)}});
-  if (!checkScan())
-    return false;
-  levelScan();
-  makeWallsVertical();
+}
+
+bool
+ChainRun::findStructure()
+{
+  warnOfInput();
   const std::size_t n = chain_.cloud->size();
-  return runStage("RoomSegmentation", n, &ChainRun::partRooms) &&
-         runStage("HorizontalPlaneDetection", n, &ChainRun::findPlanes) &&
-         runStage("CeilingBoundaryWallGrowing", n, &ChainRun::growWalls) &&
-         runStage("FloorplanFitting", chain_.cloud->size(), &ChainRun::fitPlan) &&
-         runStage("OpeningDetection", chain_.cloud->size(), &ChainRun::findOpenings) &&
-         runStage("StructureRefinement", chain_.cloud->size(), &ChainRun::refine) &&
-         runStage("VerticalHoleRepair", chain_.reports.back().points_out,
-                  &ChainRun::repair) &&
+  const bool is_found =
+      runStage("RoomSegmentation", n, &ChainRun::partRooms) &&
+      runStage("HorizontalPlaneDetection", n, &ChainRun::findPlanes) &&
+      runStage("CeilingBoundaryWallGrowing", n, &ChainRun::growWalls) &&
+      runStage("FloorplanFitting", n, &ChainRun::fitPlan) &&
+      runStage("OpeningDetection", n, &ChainRun::findOpenings) &&
+      runStage("StructureRefinement", n, &ChainRun::refine) &&
+      runStage("VerticalHoleRepair", chain_.reports.back().points_out,
+               &ChainRun::repair);
+  chain_.coverage = coverageOf(chain_.getBuilding(), *chain_.plan);
+  moveBack();
+  return is_found &&
          runStage("FloorplanExtrusion", chain_.structure->size(), &ChainRun::extrude);
 }
 

@@ -4,8 +4,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include "sedr_filters/src/base/labels.h"
-#include "sedr_segmentation/src/plan/room_territory.h"
-#include "sedr_segmentation/src/scan/scan_up.h"
+#include "sedr_segmentation/src/plan/room_gaps.h"
 
 #include <numeric>
 #include <vector>
@@ -57,7 +56,14 @@ public:
       , sight_(chain.mirrored.lines)
   {}
 
-  /** @brief Runs all stages but the mesh. */
+  /** @brief Checks the scan and finds the frame to work in.
+   * @param own of the building; else that of the scan, made level */
+  bool findFrame(const ScanPositions& positions, bool own);
+
+  /** @brief Moves the cloud, the raw points of the fit and the rays to that frame. */
+  void moveToBuilding();
+
+  /** @brief Runs all stages but the mesh, in that frame; turns their results back. */
   bool findStructure();
 
   /** @brief Makes the mesh of the structure that an earlier run has found. */
@@ -77,13 +83,14 @@ private:
   void warn(PlanWarning warning) { chain_.warnings.push_back(std::move(warning)); }
 
   void warnOfLostPoints();
-  bool checkScan();
+  void warnOfInput();
 
-  /** @brief Levels the cloud and the raw points of the fit if the scan is tilted. */
-  void levelScan();
+  /** @brief Checks which direction is up, and finds how a tilted scan is levelled. */
+  bool checkUp(const ScanPositions& positions);
 
-  /** @brief Makes tilted walls vertical, until the plan is fitted. */
-  void makeWallsVertical();
+  /** @brief Turns the results back to the level frame. */
+  void moveBack();
+
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
 
@@ -94,7 +101,7 @@ private:
 
   bool growWalls(StageReport& report);
 
-  /** @brief Returns the points of a room's territory but those well below its ceiling,
+  /** @brief Returns the points that a room owns but those well below its ceiling,
    * seen or hidden: none of them is of a wall. */
   pcl::IndicesPtr nearRim(std::size_t room) const;
 
@@ -135,14 +142,15 @@ private:
   /** @brief Updates the list of points of every room. */
   void shareOut();
 
-  /** @brief Returns the territory of each room, up to `reach` metres from its
-   * ceiling. */
-  RoomTerritory territory(double reach) const;
+  /** @brief Returns the gaps of a room, from its ceiling, seen or hidden, down to its
+   * floor. */
+  std::vector<RoomGap> gapsOf(std::size_t room) const;
 
-  /** @brief Returns the points in each room's territory. */
-  std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
+  /** @brief Finds the owner of each point. */
+  void findOwners();
 
-  /** @brief Labels what no stage did on the risers of a room's ceiling and floor. */
+  /** @brief Labels what no stage did on the risers of a room's ceiling and floor, and
+   * on its walls if they tilt: walls grow from the ceiling straight down. */
   void labelRisers(const PlanRoom& room);
 
   /** @brief Labels the points in niches, which no earlier stage considers. */
@@ -160,12 +168,10 @@ private:
 
   StructureChain& chain_;
   std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of the cloud
-  UpDoubt up_doubt_;                        ///< unless z is trusted
-  std::vector<TiltedFace> faces_;           ///< if any wall is tilted
-  Cloud::Ptr scanned_;                      ///< then the cloud as scanned
   std::vector<ChainRoom> regions_;
-  std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
-  std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0
+  std::vector<PointOwner> owners_;     ///< of each thinned point
+  std::vector<pcl::IndicesPtr> owned_; ///< points of each room, without those beyond
+  std::vector<pcl::Indices> shares_;   ///< points of each room, starting with room 0
   std::vector<StructureCloud::Ptr>
       refined_; ///< of each room of the plan, until repaired
 };

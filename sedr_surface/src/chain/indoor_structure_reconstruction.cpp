@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_segmentation/src/adjust/plan_adjustment.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
 
@@ -25,17 +26,37 @@ excerptStep(std::size_t points)
 }
 
 std::string
-thinWithExcerpt(const RowSource& source,
-                unsigned threads,
-                const std::function<void(const RowSource&)>& thin,
-                std::shared_ptr<std::vector<Eigen::Vector3f>>& excerpt)
+readExcerpt(const RowSource& source,
+            unsigned threads,
+            std::vector<Eigen::Vector3f>& excerpt)
 {
-  const ScanExcerpt scan(source, AdjustmentParameters().max_points, threads);
-  thin(scan);
-  const std::string problem = scan.problem();
-  if (problem.empty())
-    excerpt = scan.points();
-  return problem;
+  if (!source.problem().empty())
+    return source.problem();
+  RowCoordinates coordinates(source.fields(), source.rowSize());
+  source.forEachPiece([&](const RowSource::Piece& piece) {
+    addToExcerpt(coordinates.of(piece.rows, piece.size, threads), piece.first,
+                 excerptStep(source.size()), excerpt);
+    return true;
+  });
+  return scanProblem(PointView(excerpt.data(), sizeof excerpt[0], excerpt.size()));
+}
+
+std::unique_ptr<const RowSource>
+movedRows(const RowSource& source, const BuildingFrame& frame, unsigned threads)
+{
+  return std::make_unique<MovedRows>(source, frame, threads);
+}
+
+void
+moveScan(const BuildingFrame& frame,
+         unsigned threads,
+         std::vector<Eigen::Vector3f>& excerpt,
+         ScanPositions& positions)
+{
+  movePoints(frame, PointView(excerpt.data(), sizeof excerpt[0], excerpt.size()),
+             threads, excerpt.data());
+  for (ScanPosition& position : positions)
+    position.place = frame.toBuilding(position.place.cast<double>()).cast<float>();
 }
 
 } // namespace pcl::sedr

@@ -19,7 +19,7 @@ constexpr double min_door_width = 0.7; // metres
 constexpr double min_storey_area = 5;  // square metres
 constexpr double min_noise = 0.005;    // metres
 
-/** @brief Checks whether a door, passage, doorway or stair leads into a room. */
+/** @brief Checks whether a door, passage or stair leads into a room. */
 bool
 hasWayIn(const Floorplan& plan, std::uint32_t room)
 {
@@ -30,7 +30,6 @@ hasWayIn(const Floorplan& plan, std::uint32_t room)
                      [&](const PlanOpening& opening) {
                        return opening.kind != OpeningKind::Window && leadsIn(opening);
                      }) ||
-         std::any_of(plan.doorways.begin(), plan.doorways.end(), leadsIn) ||
          std::any_of(plan.stairs.begin(), plan.stairs.end(), leadsIn);
 }
 

@@ -70,17 +70,36 @@ void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
   restoreCells();
-  cloud.reset(new Cloud(*thinned));
-  labels.assign(cloud->size(), 0);
-  rooms.assign(cloud->size(), 0);
+  setCloud(thinned);
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
   levelling.reset();
+  frame = {};
+  coverage = {};
+  is_in_frame_ = seems_in_feet_ = false;
+  up_doubt_.clear();
   reports.clear();
   warnings.clear();
   unit_doubt.clear();
   failed_stage.clear();
   problem.clear();
+}
+
+void
+StructureChain::setCloud(const Cloud::ConstPtr& thinned)
+{
+  cloud.reset(new Cloud(*thinned));
+  labels.assign(cloud->size(), 0);
+  rooms.assign(cloud->size(), 0);
+}
+
+bool
+StructureChain::findFrame(const Cloud::ConstPtr& thinned,
+                          const ScanPositions& positions)
+{
+  reset(thinned);
+  is_in_frame_ = ChainRun(*this).findFrame(positions, true);
+  return is_in_frame_;
 }
 
 bool
@@ -90,8 +109,17 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
     problem = "no cloud was given";
     return false;
   }
+  if (is_in_frame_) {
+    is_in_frame_ = false; // of the next cloud
+    setCloud(thinned);
+    return ChainRun(*this).findStructure();
+  }
   reset(thinned);
-  return ChainRun(*this).findStructure();
+  ChainRun run(*this);
+  if (!run.findFrame({}, false))
+    return false;
+  run.moveToBuilding();
+  return run.findStructure();
 }
 
 bool

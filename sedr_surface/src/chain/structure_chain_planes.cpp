@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
-#include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include "chain_run.h"
@@ -14,6 +13,9 @@
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <cmath>
+#include <limits>
+#include <map>
+#include <unordered_map>
 
 namespace pcl::sedr {
 
@@ -25,7 +27,7 @@ ChainRun::partRooms(StageReport& report)
   std::vector<pcl::PointIndices> unused;
   if (!chain_.room_segmentation.segment(unused))
     return fail(chain_.room_segmentation.getErrorMessage() +
-                (up_doubt_.is_in_feet && !chain_.unit_is_known
+                (chain_.seems_in_feet_ && !chain_.unit_is_known
                      ? std::string("; ") + if_in_feet
                      : ""));
   if (!inchProblem(PointView(*chain_.cloud), chain_.getBuilding().storeys.size())
@@ -96,16 +98,13 @@ ChainRun::findPlanes(StageReport& report)
                                         seen, room.ceiling_slab);
     room.scope = unite(seen, cellsOf(grid, room.hidden.ceiling));
   }
-  const RoomTerritory of_rooms = territory(wallReach(chain_.priors_));
-  if (!of_rooms.problem().empty())
-    return fail(of_rooms.problem());
-  territory_ = territories(of_rooms);
+  findOwners();
   parallelBlocks(
       regions_.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
         const PointView all(*chain_.cloud);
         ChainRoom& room = regions_[r]; // restricted to what is no furniture
         room.floor =
-            floorPoints(all, seenPoints(all, grid, room.floor, true), *territory_[r],
+            floorPoints(all, seenPoints(all, grid, room.floor, true), *owned_[r],
                         room.floor_slab, tolerance, chain_.priors_);
       });
   for (std::size_t r = 0; r < regions_.size(); ++r) {
@@ -115,6 +114,26 @@ ChainRun::findPlanes(StageReport& report)
            "no point of its ceiling was found: it is left out");
   }
   return true;
+}
+
+void
+ChainRun::findOwners()
+{
+  std::vector<RoomGap> gaps;
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const std::vector<RoomGap> own = gapsOf(r);
+    gaps.insert(gaps.end(), own.begin(), own.end());
+  }
+  owners_ =
+      RoomGaps(CellGrid(chain_.plane_detection.getGridSize()), gaps, chain_.priors_)
+          .ownersOf(PointView(*chain_.cloud),
+                    chain_.room_segmentation.getNumberOfThreads());
+  owned_.clear();
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    owned_.emplace_back(new pcl::Indices);
+  for (std::size_t i = 0; i < owners_.size(); ++i)
+    if (owners_[i].room != 0 && !owners_[i].beyond)
+      owned_[owners_[i].room - 1]->push_back(static_cast<int>(i));
 }
 
 std::size_t
@@ -138,36 +157,52 @@ ChainRun::labelFloor(std::size_t r)
   return room.floor.size();
 }
 
-RoomTerritory
-ChainRun::territory(double reach) const
+std::vector<RoomGap>
+ChainRun::gapsOf(std::size_t r) const
 {
-  std::vector<RoomHeights> heights;
-  std::vector<CellSet> scopes;
-  for (const ChainRoom& room : regions_)
-    scopes.push_back(room.scope);
-  for (const BuildingRoom& room : chain_.getBuilding().rooms) {
-    std::vector<float> ceilings;
-    for (const RoomColumn& column : room.columns)
-      ceilings.push_back(column.ceiling);
-    heights.push_back(heightsFrom(room.floor, std::move(ceilings), chain_.priors_));
+  const CellGrid grid(chain_.plane_detection.getGridSize());
+  const Building& building = chain_.getBuilding();
+  const BuildingRoom& room = building.rooms[r];
+  std::unordered_map<CellKey, float> floors; // by the profiles of the room
+  for (const RoomColumn& column : room.columns)
+    floors[keyOf(column.cell)] = column.floor;
+  const auto id = static_cast<std::uint32_t>(r + 1);
+  std::map<CellKey, RoomGap> gaps;
+  const auto add = [&](const Eigen::Vector3f& p) {
+    const Cell cell = grid.at(p.x(), p.y());
+    RoomGap& gap =
+        gaps.try_emplace(keyOf(cell), RoomGap{cell, id, 0, p.z(), 0}).first->second;
+    gap.high = std::max(gap.high, p.z());
+  };
+  for (const int i : regions_[r].ceiling)
+    add((*chain_.cloud)[static_cast<std::size_t>(i)].getVector3fMap());
+  for (const Eigen::Vector3f& place : regions_[r].hidden.ceiling)
+    add(place);
+  const auto floorAt = [&](const Eigen::Vector2d& at) {
+    const Cell middle = building.grid.at(at.x(), at.y());
+    const auto here = floors.find(keyOf(middle));
+    if (here != floors.end())
+      return here->second;
+    // Beside a wall there are no profiles: as that which is nearest.
+    auto floor = static_cast<float>(room.floor);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int y = middle.y - 1; y <= middle.y + 1; ++y)
+      for (int x = middle.x - 1; x <= middle.x + 1; ++x)
+        if (const auto beside = floors.find(keyOf({x, y})); beside != floors.end())
+          if (const double off = (building.grid.centre({x, y}) - at).norm();
+              off < nearest) {
+            nearest = off;
+            floor = beside->second;
+          }
+    return floor;
+  };
+  std::vector<RoomGap> all;
+  for (auto& [key, gap] : gaps) {
+    gap.low = floorAt(grid.centre(gap.cell));
+    gap.lowest = std::min(gap.low, static_cast<float>(room.floor));
+    all.push_back(gap);
   }
-  return RoomTerritory(CellGrid(chain_.plane_detection.getGridSize()), scopes, heights,
-                       reach, chain_.priors_);
-}
-
-std::vector<pcl::IndicesPtr>
-ChainRun::territories(const RoomTerritory& of_rooms) const
-{
-  std::vector<pcl::IndicesPtr> result;
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    result.emplace_back(new pcl::Indices);
-  const PointView points(*chain_.cloud);
-  const std::vector<std::int32_t> room =
-      of_rooms.roomsAt(points, chain_.room_segmentation.getNumberOfThreads());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (room[i] >= 0)
-      result[static_cast<std::size_t>(room[i])]->push_back(static_cast<int>(i));
-  return result;
+  return all;
 }
 
 } // namespace pcl::sedr

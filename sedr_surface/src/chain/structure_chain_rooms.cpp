@@ -7,12 +7,12 @@
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
-#include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ ChainRun::nearRim(std::size_t r) const
       eroded(CellMask(scope, boxOf(scope)),
              chain_.wall_growing.getDistanceThreshold() / grid.size());
   pcl::IndicesPtr near(new pcl::Indices);
-  for (const int i : *territory_[r])
+  for (const int i : *owned_[r])
     if (const auto& p = (*chain_.cloud)[static_cast<std::size_t>(i)];
         chain_.labels[static_cast<std::size_t>(i)] == 0 && !inner.at(grid.at(p.x, p.y)))
       near->push_back(i);
@@ -129,11 +129,8 @@ ChainRun::fitPlan(StageReport& report)
   for (std::size_t r = 0; r < regions_.size(); ++r)
     hidden[static_cast<std::uint32_t>(r + 1)] = std::move(regions_[r].hidden);
   chain_.floorplan_fitting.setHiddenCells(std::move(hidden));
-  chain_.floorplan_fitting.setTiltedWalls(faces_, scanned_);
-  const bool is_fitted = chain_.floorplan_fitting.segment(*chain_.plan);
-  if (scanned_)
-    chain_.cloud = scanned_;
-  if (!is_fitted)
+  chain_.floorplan_fitting.setOwners(owners_);
+  if (!chain_.floorplan_fitting.segment(*chain_.plan))
     return fail(chain_.floorplan_fitting.getErrorMessage());
   if (sight_) {                        // rays prove openings
     constexpr double tolerance = 0.05; // metres; points within lie on a wall
@@ -147,8 +144,8 @@ ChainRun::fitPlan(StageReport& report)
   giveStoreys(chain_.getBuilding(), *chain_.plan);
   if (!chain_.unit_is_known)
     chain_.unit_doubt = footProblem(
-        *chain_.plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(),
-        chain_.priors_);
+        *chain_.plan, chain_.getBuilding().links,
+        sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(), chain_.priors_);
   if (!chain_.unit_doubt.empty())
     warn(warningOf(WarningKind::Unit, chain_.unit_doubt));
   for (const auto& room : chain_.plan->rooms)
@@ -173,6 +170,8 @@ ChainRun::findOpenings(StageReport& report)
           points, has_raw ? chain_.floorplan_fitting.getRawIndices() : nullptr,
           *chain_.plan))
     return fail(chain_.opening_detection.getErrorMessage());
+  for (PlanWarning& warning : linksWithoutOpening(chain_.getBuilding(), *chain_.plan))
+    warn(std::move(warning));
   for (PlanWarning& warning :
        unexplainedSurfaces(PointView(*chain_.cloud), chain_.getBuilding(), *chain_.plan,
                            chain_.priors_))
@@ -199,17 +198,24 @@ ChainRun::giveUpRoomsWithoutPlan()
 void
 ChainRun::labelRisers(const PlanRoom& room)
 {
-  if (room.details.empty() && room.floor_details.empty())
+  const bool is_tilted = isTilted(room);
+  if (room.details.empty() && room.floor_details.empty() && !is_tilted)
     return;
   const RoomSurfaces surfaces(room, chain_.refinement.getMaximumDistance());
   SurfacePoint snapped;
-  for (const int i : *territory_[room.id - 1])
-    if (const auto at = static_cast<std::size_t>(i);
-        chain_.labels[at] == 0 &&
-        surfaces.snap((*chain_.cloud)[at].getVector3fMap().cast<double>(),
-                      StructureLabel::Detail, snapped) &&
-        snapped.normal.z() == 0)
+  for (const int i : *owned_[room.id - 1]) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector3d p = (*chain_.cloud)[at].getVector3fMap().cast<double>();
+    const bool is_ceiling = is_tilted &&
+                            chain_.labels[at] == valueOf(StructureLabel::Ceiling) &&
+                            !surfaces.snap(p, StructureLabel::Ceiling, snapped);
+    if (chain_.labels[at] != 0 && !is_ceiling)
+      continue;
+    if (surfaces.snap(p, StructureLabel::Detail, snapped) && snapped.normal.z() == 0)
       give(i, StructureLabel::Detail, room.id);
+    else if (is_tilted && surfaces.snap(p, StructureLabel::Wall, snapped))
+      give(i, StructureLabel::Wall, room.id);
+  }
 }
 
 void
@@ -225,18 +231,16 @@ ChainRun::labelNiches()
     }
   if (!std::any_of(recessed.begin(), recessed.end(), [](auto* room) { return room; }))
     return;
-  const RoomTerritory niches = territory(nicheReach({chain_.priors_}));
   for (std::size_t at = 0; at < chain_.cloud->size(); ++at) {
-    const Eigen::Vector3f place = (*chain_.cloud)[at].getVector3fMap();
-    const std::int32_t region = niches.roomAt(place);
-    if (region < 0 || !recessed[static_cast<std::size_t>(region)])
+    if (owners_[at].room == 0 || !recessed[owners_[at].room - 1])
       continue;
-    const PlanRoom& room = *recessed[static_cast<std::size_t>(region)];
+    const std::size_t region = owners_[at].room - 1;
+    const Eigen::Vector3f place = (*chain_.cloud)[at].getVector3fMap();
+    const PlanRoom& room = *recessed[region];
     const Eigen::Vector3d p = place.cast<double>();
     SurfacePoint snapped;
     if (room.nicheAt(p.head<2>()) >= 0 && !room.boundary.contains(p.head<2>()) &&
-        surfaces[static_cast<std::size_t>(region)]->snap(p, StructureLabel::Detail,
-                                                         snapped))
+        surfaces[region]->snap(p, StructureLabel::Detail, snapped))
       give(static_cast<int>(at), StructureLabel::Detail, room.id);
   }
 }

@@ -4,6 +4,8 @@
 
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 
+#include <pcl/sedr_filters/tilted_walls.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -90,7 +92,9 @@ addSlab(const RoomLookup& model,
         low = std::min(low, height - off_slab);
         high = std::max(high, height + off_slab);
       }
-    if (z >= low && z <= high)
+    const bool is_on_wall =
+        !is_floor && isTilted(room) && isBeside(boundaryAt(room, z));
+    if ((z >= low && z <= high) || is_on_wall)
       continue;
     keys.push_back(keyOf(column.cell));
     heights.push_back(z - floor);

@@ -56,10 +56,10 @@ public:
   }
 
   /** @brief Draws a gap in the walls, over both faces. */
-  void addDoorway(const DoorwayGap& doorway)
+  void addOpening(const OpeningGap& opening)
   {
     std::vector<Eigen::Vector2d> c;
-    for (const Eigen::Vector2d& corner : doorway.corners)
+    for (const Eigen::Vector2d& corner : opening.corners)
       c.push_back(frame_(corner));
     SheetLook gap = styleOf(PlanLayer::Door).line;
     sheet_.addLine(gap, {c[0], c[1], c[2], c[3], c[0]}, true);
@@ -68,14 +68,14 @@ public:
     sheet_.addLine(gap, {c[2], c[3]});
     sheet_.addLine(looks::jamb, {c[0], c[3]});
     sheet_.addLine(looks::jamb, {c[1], c[2]});
-    if (doorway.kind == OpeningKind::Window) { // both faces go on below it
+    if (opening.kind == OpeningKind::Window) { // both faces go on below it
       sheet_.addLine(looks::thin, {c[0], c[1]});
       sheet_.addLine(looks::thin, {c[2], c[3]});
     }
-    for (const PlanElement& line : fillingOf(doorway))
-      sheet_.addLine(doorway.kind == OpeningKind::Door ? looks::leaf : looks::thin,
+    for (const PlanElement& line : fillingOf(opening))
+      sheet_.addLine(opening.kind == OpeningKind::Door ? looks::leaf : looks::thin,
                      {frame_(line.start), frame_(line.end)});
-    for (const PlanElement& line : doorway.leaf)
+    for (const PlanElement& line : opening.leaf)
       sheet_.add(SheetPath{looks::thin, {{{frame_(line)}}}});
   }
 
@@ -256,7 +256,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   const std::vector<CeilingLines> ceilings =
       ceilingsOf(plan, finest > 0 ? finest : 1 / frame.scale);
   lines = planLines(plan, ceilings);
-  doorways = doorwayGaps(plan);
+  openings = openingGaps(plan);
   TextPlaces places(layout.size);
   dimensions = placedRows(rowsAround(plan, frame.turn, settings.max_wall),
                           boundsOf(plan, frame), frame, places);
@@ -266,7 +266,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
                           line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
-  texts = placedTexts(plan, ceilings, lines, doorways, frame, places);
+  texts = placedTexts(plan, ceilings, lines, openings, frame, places);
 }
 
 Sheet
@@ -289,9 +289,9 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
     sheet.add(SheetGroup{"room_" + std::to_string(room.id)});
     painter.addRoom(room);
   }
-  sheet.add(SheetGroup{"doorways"});
-  for (const DoorwayGap& doorway : drawing.doorways)
-    painter.addDoorway(doorway);
+  sheet.add(SheetGroup{"openings"});
+  for (const OpeningGap& opening : drawing.openings)
+    painter.addOpening(opening);
   sheet.add(SheetGroup{"texts"});
   for (const PlanText& text : drawing.texts.texts)
     sheet.add(text.text);

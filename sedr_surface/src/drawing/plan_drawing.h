@@ -14,7 +14,7 @@ struct PlanDrawing {
   Floorplan plan; ///< what is drawn
   SheetLayout layout;
   std::vector<PlanLine> lines;            ///< metres
-  std::vector<DoorwayGap> doorways;       ///< metres
+  std::vector<OpeningGap> openings;       ///< metres
   std::vector<SheetDimension> dimensions; ///< beside the plan, on the sheet
   PlanTexts texts;                        ///< on the sheet
 

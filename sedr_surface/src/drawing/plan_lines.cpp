@@ -156,26 +156,6 @@ private:
   std::vector<PlanLoop> stairs_; ///< that lead up from it
 };
 
-/** @brief Returns the face of a room nearest to a doorway, within 0.5 m and 30 degrees;
- * null if there is none. */
-const PlanElement*
-faceOf(const Floorplan& plan, std::uint32_t room, const PlanDoorway& doorway)
-{
-  constexpr double parallel = 0.5; // sine of 30 degrees
-  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
-  const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
-  double nearest = 0.5;
-  const PlanElement* face = nullptr;
-  for (const PlanRoom& r : plan.rooms)
-    for (const PlanElement& e : r.boundary.elements)
-      if (r.id == room && e.distance(middle) <= nearest &&
-          std::abs(e.normalAt(e.project(middle)).dot(way)) < parallel) {
-        nearest = e.distance(middle);
-        face = &e;
-      }
-  return face;
-}
-
 Eigen::Vector2d
 onto(const PlanElement& face, const Eigen::Vector2d& place)
 {
@@ -259,45 +239,14 @@ planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
 
 namespace {
 
-/** @brief Returns the gap of a doorway; without a width if it has none. */
-DoorwayGap
-gapOf(const Floorplan& plan, const PlanDoorway& doorway)
-{
-  DoorwayGap gap;
-  if (!(doorway.width() > 0))
-    return gap;
-  const PlanElement* near = faceOf(plan, doorway.rooms[0], doorway);
-  const PlanElement* far = faceOf(plan, doorway.rooms[1], doorway);
-  if (!near)
-    std::swap(near, far);
-  Eigen::Vector2d a = doorway.start;
-  Eigen::Vector2d b = doorway.end;
-  // What a face does not have ends at its end, on both sides of the wall.
-  for (int k = 0; k < 2 && near && far; ++k)
-    for (Eigen::Vector2d* p : {&a, &b})
-      *p = onto(k == 0 ? *far : *near, *p);
-  if (near && !far) {
-    const Eigen::Vector2d from = onto(*near, a);
-    const Eigen::Vector2d to = onto(*near, b);
-    gap.corners = {from, to, 2 * b - to, 2 * a - from};
-  }
-  else if (near)
-    gap.corners = {a, b, onto(*far, b), onto(*far, a)};
-  else
-    gap.corners = {a, b, b, a};
-  gap.width = (gap.corners[1] - gap.corners[0]).norm();
-  gap.height = doorway.top - doorway.bottom;
-  return gap;
-}
-
 /** @brief Returns the gap of an opening, as deep as its reveals. */
-DoorwayGap
+OpeningGap
 gapOf(const Floorplan& plan, const PlanOpening& opening)
 {
   const Eigen::Vector2d way = (opening.end - opening.start) / opening.width();
   const Eigen::Vector2d left(-way.y(), way.x());
   const Eigen::Vector2d half = opening.depth / 2 * left;
-  DoorwayGap gap;
+  OpeningGap gap;
   gap.corners = {opening.start + half, opening.end + half, opening.end - half,
                  opening.start - half};
   gap.width = opening.width();
@@ -321,7 +270,7 @@ gapOf(const Floorplan& plan, const PlanOpening& opening)
 } // namespace
 
 std::vector<PlanElement>
-fillingOf(const DoorwayGap& gap)
+fillingOf(const OpeningGap& gap)
 {
   std::vector<double> shares; // of the depth of the wall
   if (gap.kind == OpeningKind::Window)
@@ -336,15 +285,12 @@ fillingOf(const DoorwayGap& gap)
   return lines;
 }
 
-std::vector<DoorwayGap>
-doorwayGaps(const Floorplan& plan)
+std::vector<OpeningGap>
+openingGaps(const Floorplan& plan)
 {
-  std::vector<DoorwayGap> gaps;
+  std::vector<OpeningGap> gaps;
   for (const PlanOpening& opening : plan.openings)
     gaps.push_back(gapOf(plan, opening));
-  for (const PlanDoorway& doorway : otherDoorways(plan))
-    if (const DoorwayGap gap = gapOf(plan, doorway); gap.width > 0)
-      gaps.push_back(gap);
   return gaps;
 }
 

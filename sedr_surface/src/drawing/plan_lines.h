@@ -34,34 +34,30 @@ std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
 std::vector<PlanLine> planLines(const Floorplan& plan,
                                 const std::vector<CeilingLines>& ceilings);
 
-/** @brief A doorway or opening for drawing: a gap through its wall, from face to face.
- */
-struct DoorwayGap {
+/** @brief An opening for drawing: a gap through its wall, from face to face. */
+struct OpeningGap {
   std::array<Eigen::Vector2d, 4>
       corners;       ///< around the gap: along a face, back; metres
   double width = 0;  ///< metres
   double height = 0; ///< metres
   double sill = 0;   ///< of a window above the floor, metres
-  OpeningKind kind = OpeningKind::Unknown; ///< of a doorway: unknown
-  std::vector<PlanElement> leaf{};         ///< of a door: its leaves and their swings
+  OpeningKind kind = OpeningKind::Unknown;
+  std::vector<PlanElement> leaf{}; ///< of a door: its leaves and their swings
 };
 
 /** @brief Returns the layer of a gap. */
 inline PlanLayer
-layerOf(const DoorwayGap& gap)
+layerOf(const OpeningGap& gap)
 {
   return gap.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
 }
 
 /** @brief Returns the lines along a gap of what shuts it, metres: two of a window, one
  * of a door whose leaves are not known; none for other gaps. */
-std::vector<PlanElement> fillingOf(const DoorwayGap& gap);
+std::vector<PlanElement> fillingOf(const OpeningGap& gap);
 
-/** @brief Returns the openings of a plan, and the doorways that are none of them and
- * have a width. A gap is what the nearest
- * wall faces of both rooms, within 0.5 m and 30 degrees, have in common of it; outwards
- * it is as deep as towards the room. */
-std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);
+/** @brief Returns the gaps of the openings of a plan, as deep as their reveals. */
+std::vector<OpeningGap> openingGaps(const Floorplan& plan);
 
 /** @brief Returns the bodies of walls with both faces seen: the outline of each, and
  * the hole of a wall that surrounds a room.

@@ -17,7 +17,7 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double detail_font = 2.1; ///< of columns and doorways
+constexpr double detail_font = 2.1; ///< of columns and openings
 
 PlanLoop
 circleAbout(const TextSpot& spot)
@@ -226,19 +226,19 @@ public:
     addFirst(PlanLayer::Dimension, boxes, detail_font, text);
   }
 
-  void writeDoorway(const DoorwayGap& doorway)
+  void writeOpening(const OpeningGap& opening)
   {
     const std::string text =
-        decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2) +
-        (doorway.kind == OpeningKind::Window ? " sill " + decimalText(doorway.sill, 2)
+        decimalText(opening.width, 2) + " x " + decimalText(opening.height, 2) +
+        (opening.kind == OpeningKind::Window ? " sill " + decimalText(opening.sill, 2)
                                              : "");
     const Eigen::Vector2d half = detail_font * halfSizeOf({text});
     std::vector<TextBox> boxes;
     for (const std::size_t k : {2U, 0U}) {
-      const Eigen::Vector2d a = frame_(doorway.corners[k]);
-      const Eigen::Vector2d b = frame_(doorway.corners[k + 1]);
+      const Eigen::Vector2d a = frame_(opening.corners[k]);
+      const Eigen::Vector2d b = frame_(opening.corners[k + 1]);
       const Eigen::Vector2d middle =
-          (frame_(doorway.corners[0]) + frame_(doorway.corners[2])) / 2;
+          (frame_(opening.corners[0]) + frame_(opening.corners[2])) / 2;
       const Eigen::Vector2d way = (b - a).normalized();
       Eigen::Vector2d off(way.y(), -way.x());
       if (off.dot((a + b) / 2 - middle) < 0)
@@ -335,7 +335,7 @@ PlanTexts
 placedTexts(const Floorplan& plan,
             const std::vector<CeilingLines>& ceilings,
             const std::vector<PlanLine>& lines,
-            const std::vector<DoorwayGap>& doorways,
+            const std::vector<OpeningGap>& openings,
             const PlanFrame& frame,
             TextPlaces& places)
 {
@@ -364,8 +364,8 @@ placedTexts(const Floorplan& plan,
       if (!isIsland(room, column))
         writer.writeColumn(column);
   }
-  for (const DoorwayGap& doorway : doorways)
-    writer.writeDoorway(doorway);
+  for (const OpeningGap& opening : openings)
+    writer.writeOpening(opening);
   for (const WallFace& face : wallFaces(plan))
     if (!isGuess(plan, face))
       writer.writeSize(elementOf(plan, face));

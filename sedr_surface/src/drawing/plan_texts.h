@@ -22,14 +22,14 @@ struct PlanTexts {
 };
 
 /** @brief Places the texts within a plan by importance: rooms, stairs, heights of
- * details, notes of lines, eaves, columns, doorways, walls. They overlap neither each
+ * details, notes of lines, eaves, columns, openings, walls. They overlap neither each
  * other nor what is occupied; one without space is shortened or left out.
  * @param ceilings of each room
  * @param frame maps the plan to the sheet */
 PlanTexts placedTexts(const Floorplan& plan,
                       const std::vector<CeilingLines>& ceilings,
                       const std::vector<PlanLine>& lines,
-                      const std::vector<DoorwayGap>& doorways,
+                      const std::vector<OpeningGap>& openings,
                       const PlanFrame& frame,
                       TextPlaces& places);
 

@@ -105,13 +105,13 @@ public:
       addElement(styleOf(line.layer).dxf_name, line.element);
     for (const PlanRoom& room : drawing.plan.rooms)
       addOutline(room.boundary);
-    for (const DoorwayGap& doorway : drawing.doorways) {
-      const char* layer = styleOf(layerOf(doorway)).dxf_name;
+    for (const OpeningGap& opening : drawing.openings) {
+      const char* layer = styleOf(layerOf(opening)).dxf_name;
       for (std::size_t k = 0; k < 4; ++k)
-        entities_.line(layer, doorway.corners[k], doorway.corners[(k + 1) % 4]);
-      for (const PlanElement& line : fillingOf(doorway))
+        entities_.line(layer, opening.corners[k], opening.corners[(k + 1) % 4]);
+      for (const PlanElement& line : fillingOf(opening))
         addElement(layer, line);
-      for (const PlanElement& line : doorway.leaf)
+      for (const PlanElement& line : opening.leaf)
         addElement(layer, line);
     }
     for (const PlanText& text : drawing.texts.texts)

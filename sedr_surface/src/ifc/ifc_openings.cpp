@@ -9,47 +9,47 @@ namespace pcl::sedr::ifc {
 namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
-constexpr double beside = 0.15;   ///< of a wall, where a doorway in it may lie, metres
+constexpr double beside = 0.15;   ///< of a wall, where an opening in it may lie, metres
 
-/** @brief Returns the box of a doorway across a wall; no_area if it is not in this
+/** @brief Returns the box of an opening across a wall; no_area if it is not in this
  * wall. */
 bool
 boxIn(const Floorplan& plan,
       const WrittenWall& written,
-      const PlanDoorway& doorway,
+      const PlanOpening& opening,
       double reach,
       OpeningBox& box)
 {
   constexpr double min_width = 0.05;
-  constexpr double cosine = 0.86; // 30 degrees between doorway and wall
+  constexpr double cosine = 0.86; // 30 degrees between opening and wall
   const PlanElement& element = elementOf(plan, written.wall.face);
   const WallFrame& frame = written.frame;
-  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
-  const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+  const Eigen::Vector2d way = (opening.end - opening.start).normalized();
   const auto [place, inward] = faceAt(element, element.project(middle));
   const double behind = -(middle - place).dot(inward);
   if (behind < -reach || behind > written.wall.thickness + reach ||
       std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
     return false;
   const Eigen::AlignedBox2d& wall = written.box;
-  const Eigen::Vector2d a = frame.toLocal(doorway.start);
-  const Eigen::Vector2d b = frame.toLocal(doorway.end);
+  const Eigen::Vector2d a = frame.toLocal(opening.start);
+  const Eigen::Vector2d b = frame.toLocal(opening.end);
   const double from = std::min(a.x(), b.x());
   const double to = std::max(a.x(), b.x());
   if (std::min(to, wall.max().x()) - std::max(from, wall.min().x()) < min_width)
     return false;
   constexpr double on_floor = 0.05; // a sill lower than that is none
-  const double bottom = doorway.bottom - written.bottom;
+  const double bottom = opening.bottom - written.bottom;
   box.bottom = bottom < on_floor ? 0 : bottom;
-  box.top = doorway.top - written.bottom;
+  box.top = opening.top - written.bottom;
   if (box.top - box.bottom < min_width || box.bottom >= written.top - written.bottom)
     return false;
   double low = wall.min().y();
   double high = wall.max().y();
-  if (element.isArc()) { // no more of a curved wall than is beside the doorway
+  if (element.isArc()) { // no more of a curved wall than is beside the opening
     low = std::numeric_limits<double>::infinity();
     high = -low;
-    for (const Eigen::Vector2d& p : {doorway.start, middle, doorway.end}) {
+    for (const Eigen::Vector2d& p : {opening.start, middle, opening.end}) {
       const auto [face, in] = faceAt(element, element.project(p));
       for (const double off : {0.0, written.wall.thickness}) {
         low = std::min(low, frame.toLocal(face - off * in).y());
@@ -64,19 +64,19 @@ boxIn(const Floorplan& plan,
 }
 
 bool
-isOf(const Floorplan& plan, const WallFace& face, const PlanDoorway& doorway)
+isOf(const Floorplan& plan, const WallFace& face, const PlanOpening& opening)
 {
   const std::uint32_t id = plan.rooms[face.room].id;
-  return id == doorway.rooms[0] || id == doorway.rooms[1];
+  return id == opening.rooms[0] || id == opening.rooms[1];
 }
 
-/** @brief Returns whether a doorway and a wall are between the same rooms. */
+/** @brief Returns whether an opening and a wall are between the same rooms. */
 bool
-isBetween(const Floorplan& plan, const PlanWall& wall, const PlanDoorway& doorway)
+isBetween(const Floorplan& plan, const PlanWall& wall, const PlanOpening& opening)
 {
-  const bool leads_outside = doorway.rooms[0] == 0 || doorway.rooms[1] == 0;
-  return isOf(plan, wall.face, doorway) &&
-         (!wall.other || leads_outside || isOf(plan, *wall.other, doorway));
+  const bool leads_outside = opening.rooms[0] == 0 || opening.rooms[1] == 0;
+  return isOf(plan, wall.face, opening) &&
+         (!wall.other || leads_outside || isOf(plan, *wall.other, opening));
 }
 
 PlanLoop
@@ -88,35 +88,35 @@ loopAround(const Eigen::AlignedBox2d& box)
                  {box.min().x(), box.max().y()}});
 }
 
-/** @brief Adds a doorway to the walls that it passes through.
+/** @brief Adds an opening to the walls that it passes through.
  * @return the gap in each */
 std::vector<WrittenGap>
-writeDoorway(IfcDocument& document,
-             const std::vector<WrittenWall>& walls,
-             const PlanDoorway& doorway,
-             const std::string& name)
+writeGaps(IfcDocument& document,
+          const std::vector<WrittenWall>& walls,
+          const PlanOpening& opening,
+          const std::string& name)
 {
   constexpr double far = 0.5; // half of a wall thicker than those of two faces
   std::vector<WrittenGap> gaps;
   for (const double reach : {beside, far}) {
     for (const WrittenWall& wall : walls) {
       OpeningBox box;
-      if (!isBetween(document.plan, wall.wall, doorway) ||
-          !boxIn(document.plan, wall, doorway, reach, box) ||
+      if (!isBetween(document.plan, wall.wall, opening) ||
+          !boxIn(document.plan, wall, opening, reach, box) ||
           commonArea(wall.profile, {loopAround(box.plan)}) <= no_area)
         continue;
       const std::string part =
           gaps.empty() ? "" : "_part_" + std::to_string(gaps.size() + 1);
-      const StepRef opening =
+      const StepRef cut =
           writeOpening(document, wall, name + part,
                        document.shapes.extrusion(loopAround(box.plan), {}, box.bottom,
                                                  box.top - box.bottom, wall.runs.near),
                        "OPENING");
-      document.addQuantities(opening, name + part, "Qto_OpeningElementBaseQuantities",
-                             {{"LENGTH", "Width", doorway.width()},
-                              {"LENGTH", "Height", doorway.top - doorway.bottom},
+      document.addQuantities(cut, name + part, "Qto_OpeningElementBaseQuantities",
+                             {{"LENGTH", "Width", opening.width()},
+                              {"LENGTH", "Height", opening.height()},
                               {"LENGTH", "Depth", wall.wall.thickness}});
-      gaps.push_back({&wall, opening, box});
+      gaps.push_back({&wall, cut, box});
     }
     if (!gaps.empty())
       break;
@@ -165,38 +165,32 @@ writeFilling(IfcDocument& document,
   document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening, filling);
 }
 
-PlanDoorway
-doorwayOf(const PlanOpening& opening)
-{
-  return {opening.rooms, opening.start, opening.end, opening.bottom, opening.top};
-}
-
-/** @brief Returns whether the doorway is at the boundary of both of its rooms. */
+/** @brief Returns whether the opening is at the boundary of both of its rooms. */
 bool
-joinsRooms(const Floorplan& plan, const PlanDoorway& doorway)
+joinsRooms(const Floorplan& plan, const PlanOpening& opening)
 {
   constexpr double near = 0.5;
-  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
   return std::count_if(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
            double distance = room.boundary.distance(middle);
            for (const PlanLoop& column : room.columns)
              distance = std::min(distance, column.distance(middle));
-           return (room.id == doorway.rooms[0] || room.id == doorway.rooms[1]) &&
+           return (room.id == opening.rooms[0] || room.id == opening.rooms[1]) &&
                   distance < near;
          }) == 2;
 }
 
 /** @brief Adds a virtual element between rooms that meet without a wall.
- * @return whether they do at the doorway */
+ * @return whether they do at the opening */
 bool
-writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::string& name)
+writePassage(IfcDocument& document, const PlanOpening& opening, const std::string& name)
 {
-  if (!joinsRooms(document.plan, doorway))
+  if (!joinsRooms(document.plan, opening))
     return false;
   StepRef element;
   for (std::size_t r = 0; r < document.rooms.size(); ++r) {
     const PlanRoom& room = *document.rooms[r].room;
-    if (room.id != doorway.rooms[0] && room.id != doorway.rooms[1])
+    if (room.id != opening.rooms[0] && room.id != opening.rooms[1])
       continue;
     const std::size_t storey = document.rooms[r].storey;
     if (element.isNone())
@@ -227,32 +221,20 @@ writeOpening(IfcDocument& document,
   return opening;
 }
 
-std::vector<PlanDoorway>
-gapsOf(const Floorplan& plan)
-{
-  std::vector<PlanDoorway> gaps;
-  for (const PlanOpening& opening : plan.openings)
-    gaps.push_back(doorwayOf(opening));
-  const std::vector<PlanDoorway> others = otherDoorways(plan);
-  gaps.insert(gaps.end(), others.begin(), others.end());
-  return gaps;
-}
-
 bool
-isWhollyOpen(const Floorplan& plan,
-             const WrittenWall& wall,
-             const std::vector<PlanDoorway>& gaps)
+isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
 {
   const PlanLoop& profile = wall.profile.boundary;
   if (profile.elements.empty() || std::abs(profile.area()) < no_area)
     return true;
   const Eigen::AlignedBox2d plan_box = boundsOf(profile);
-  return std::any_of(gaps.begin(), gaps.end(), [&](const PlanDoorway& doorway) {
-    OpeningBox box;
-    return isBetween(plan, wall.wall, doorway) &&
-           boxIn(plan, wall, doorway, beside, box) && box.plan.contains(plan_box) &&
-           box.bottom <= 0 && box.top >= wall.top - wall.bottom - min_wall_height;
-  });
+  return std::any_of(
+      plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
+        OpeningBox box;
+        return isBetween(plan, wall.wall, opening) &&
+               boxIn(plan, wall, opening, beside, box) && box.plan.contains(plan_box) &&
+               box.bottom <= 0 && box.top >= wall.top - wall.bottom - min_wall_height;
+      });
 }
 
 void
@@ -266,12 +248,12 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
     const PlanOpening& opening = plan.openings[k];
     const std::string number = std::to_string(k + 1);
     const std::vector<WrittenGap> gaps =
-        writeDoorway(document, walls, doorwayOf(opening), "opening_" + number);
+        writeGaps(document, walls, opening, "opening_" + number);
     all.insert(all.end(), gaps.begin(), gaps.end());
     if (!gaps.empty())
       writeFilling(document, opening, gaps.front(),
                    nameOf(opening.kind) + ("_" + number));
-    else if (!writePassage(document, doorwayOf(opening), "opening_" + number)) {
+    else if (!writePassage(document, opening, "opening_" + number)) {
       outside += (outside.empty() ? "" : ", ") + number;
       ++count;
     }
@@ -280,18 +262,6 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
     document.model.warnings.push_back(
         warningOf(WarningKind::NotInIfc, outside,
                   {count, static_cast<double>(plan.openings.size())}));
-  const std::vector<PlanDoorway> doorways = otherDoorways(plan);
-  for (std::size_t d = 0; d < doorways.size(); ++d) {
-    const PlanDoorway& doorway = doorways[d];
-    const std::string name = "doorway_" + std::to_string(d + 1);
-    if (writeDoorway(document, walls, doorway, name).empty() &&
-        !writePassage(document, doorway, name))
-      document.model.warnings.push_back(
-          warningOf(WarningKind::IfcLoss,
-                    name + " between rooms " + std::to_string(doorway.rooms[0]) +
-                        " and " + std::to_string(doorway.rooms[1]) +
-                        " is no opening in the IFC: no wall stands there"));
-  }
   writeNiches(document, walls, all);
 }
 

@@ -56,14 +56,9 @@ void writeSpaces(IfcDocument& document);
 /** @brief Adds the walls and the space boundaries on them. */
 std::vector<WrittenWall> writeWalls(IfcDocument& document);
 
-/** @brief Returns all gaps of walls: openings, then other doorways. */
-std::vector<PlanDoorway> gapsOf(const Floorplan& plan);
-
-/** @brief Returns whether nothing of a wall is left: rooms cover its plan, or a gap
- * takes it from bottom to top. */
-bool isWhollyOpen(const Floorplan& plan,
-                  const WrittenWall& wall,
-                  const std::vector<PlanDoorway>& gaps);
+/** @brief Returns whether nothing of a wall is left: rooms cover its plan, or an
+ * opening takes it from bottom to top. */
+bool isWhollyOpen(const Floorplan& plan, const WrittenWall& wall);
 
 /** @brief A box in the frame of a wall, with z from the wall's bottom. */
 struct OpeningBox {
@@ -86,7 +81,7 @@ StepRef writeOpening(IfcDocument& document,
                      const IfcBody& body,
                      const char* kind);
 
-/** @brief Adds openings for doorways and recesses for niches. */
+/** @brief Adds openings, what fills them, and recesses for niches. */
 void writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls);
 
 /** @brief Adds recesses for niches, but for those within gaps of openings. */

@@ -153,7 +153,6 @@ writeWalls(IfcDocument& document)
   std::vector<Eigen::AlignedBox2d> boxes;
   for (const PlanRoom& room : plan.rooms)
     boxes.push_back(boundsOf(room.boundary));
-  const std::vector<PlanDoorway> gaps = gapsOf(plan);
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;
   for (const PlanWall& wall : findWalls(plan, parameters)) {
@@ -173,7 +172,7 @@ writeWalls(IfcDocument& document)
     added.profile = profileOf(site);
     added.box = boundsOf(site.band.boundary);
     endAtBodies(document, site, added);
-    if (isWhollyOpen(plan, added, gaps))
+    if (isWhollyOpen(plan, added))
       continue;
     const Eigen::Vector2d& origin = added.frame.origin;
     added.placement = document.shapes.placement(

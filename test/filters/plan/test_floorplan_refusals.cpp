@@ -14,7 +14,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 /** Rooms on two storeys, the first with a round corner, a column, a soffit with a hole
- * and a vault; a doorway and stairs. */
+ * and a vault; a door and stairs. */
 Floorplan
 refusalPlan()
 {
@@ -28,7 +28,7 @@ refusalPlan()
   room.details[0].is_facet = true;
   room.details[0].slab.curve = std::make_shared<SlabCurve>();
   plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}, {3, "attic", 2.8, 5.2, {3, 4}}};
-  plan.doorways = {{{1, 2}, {4, 1}, {4, 2}, 0.01, 2.05}};
+  plan.openings = {{OpeningKind::Door, {1, 2}, {{1, 1}}, {4, 1}, {4, 2}, 0.01, 2.05}};
   plan.stairs = {{{2, 4}, {1, 1.5}, 0, 2.8}};
   return plan;
 }
@@ -119,9 +119,11 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
            {"two storeys have the number 3",
             [](Floorplan& p) { p.storeys[0].number = 3; }},
            {"a whole number from 1", [](Floorplan& p) { p.storeys[0].number = 0; }},
-           {"a doorway's top must not be below its bottom",
-            [](Floorplan& p) { p.doorways[0].top = -1; }},
-           {"stairs's bottom must lie within",
+           {"an opening's top must be above its bottom",
+            [](Floorplan& p) { p.openings[0].top = -1; }},
+           {"a stair's top must not be below its bottom",
+            [](Floorplan& p) { p.stairs[0].top = -1; }},
+           {"a stair's bottom must lie within",
             [](Floorplan& p) { p.stairs[0].bottom = -1e7; }},
            {"from 2 to 1000 risers, not 0",
             [](Floorplan& p) { p.stairs[0].flights.resize(1); }},
@@ -147,7 +149,7 @@ TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)
     const char* words;
   };
   for (const Case& c : {Case{"sedr-floorplan", "geojson", "not a floor plan"},
-                        Case{"\"version\": 2", "\"version\": 27", "27"},
+                        Case{"\"version\": 3", "\"version\": 37", "37"},
                         Case{"\"id\": 1", "\"id\": -1", "not -1"},
                         Case{"\"id\": 1", "\"id\": 4294967296", "not 4294967296"},
                         Case{"\"id\": 1", "\"id\": 7.5", "not 7.5"},

@@ -103,14 +103,109 @@ TEST(PlanOpenings, AnUnknownNameIsRefused)
   EXPECT_NE(problem.find("state"), std::string::npos);
 }
 
-TEST(PlanOpenings, ADoorwayThatIsAnOpeningIsNoOther)
+TEST(PlanOpenings, AreWhereTheirWidthAndHeightsAre)
 {
-  Floorplan plan = planWithADoor();
-  plan.doorways = {{{3, 0}, {1.1, 0}, {1.8, 0}, 0, 2},
-                   {{3, 0}, {3, 0}, {3.8, 0}, 0, 2}};
-  const auto others = otherDoorways(plan);
-  ASSERT_EQ(others.size(), 1u);
-  EXPECT_EQ(others[0].start.x(), 3);
+  const PlanOpening door = planWithADoor().openings[0];
+  EXPECT_TRUE(isAt(door, {1.5, 0}, 0, 2));
+  EXPECT_TRUE(isAt(door, {1.5, -0.5}, 0, 2)) << "at the other side of the wall";
+  EXPECT_FALSE(isAt(door, {2, 0}, 0, 2)) << "beside it";
+  EXPECT_FALSE(isAt(door, {1.5, 0.5}, 0, 2)) << "in the room";
+  EXPECT_FALSE(isAt(door, {1.5, 0}, 2.8, 4.8)) << "a storey above";
+}
+
+/** Two rooms with a wall of 10 cm from x = 4 to 4.1, and with openings; a file of an
+ * earlier version that has these doorways, too. */
+Floorplan
+readEarlier(const std::string& doorways,
+            const std::vector<PlanOpening>& openings = {},
+            std::string* problem = nullptr)
+{
+  using namespace sedr_test;
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5),
+                roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)};
+  plan.openings = openings;
+  std::string text = floorplanToJson(plan);
+  text.replace(text.find("\"version\": 3"), 12, "\"version\": 1");
+  text.insert(text.find("\"stairs\""), "\"doorways\": [" + doorways + "], ");
+  std::string found;
+  const Floorplan read = floorplanFromJson(text, problem ? *problem : found);
+  EXPECT_EQ(found, "");
+  return read;
+}
+
+std::string
+doorwayText(const std::string& rooms, const std::string& start, const std::string& end)
+{
+  return R"({"rooms": [)" + rooms + R"(], "start": [)" + start + R"(], "end": [)" +
+         end + R"(], "bottom": 0.01, "top": 2.05})";
+}
+
+TEST(PlanOpenings, DoorwaysOfEarlierVersionsAreOpeningsThroughTheirWall)
+{
+  for (const char* x : {"3.95", "4.05", "4.2"})
+    for (const bool is_up : {false, true}) {
+      const std::string a = x + std::string(", 1");
+      const std::string b = x + std::string(", 2");
+      const Floorplan plan =
+          readEarlier(doorwayText("1, 2", is_up ? a : b, is_up ? b : a));
+      ASSERT_EQ(plan.openings.size(), 1u);
+      const PlanOpening& opening = plan.openings[0];
+      EXPECT_EQ(opening.kind, OpeningKind::Unknown);
+      EXPECT_EQ(opening.rooms, (std::array<std::uint32_t, 2>{1, 2}));
+      ASSERT_EQ(opening.walls.size(), 2u);
+      EXPECT_EQ(opening.walls[0].element, 1u);
+      EXPECT_EQ(opening.walls[1].element, 3u);
+      EXPECT_TRUE(opening.start.isApprox(Eigen::Vector2d(4.05, 1))) << x;
+      EXPECT_TRUE(opening.end.isApprox(Eigen::Vector2d(4.05, 2)))
+          << x << ": room 1 is to the left";
+      EXPECT_NEAR(opening.depth, 0.1, 1e-9);
+      EXPECT_EQ(opening.bottom, 0.01);
+      EXPECT_EQ(opening.top, 2.05);
+    }
+  const Floorplan cut = readEarlier(doorwayText("1, 2", "4.05, -0.1", "4.05, 0.9"));
+  EXPECT_NEAR(cut.openings.at(0).start.y(), 0, 1e-9) << "both rooms end there";
+}
+
+TEST(PlanOpenings, DoorwaysOfEarlierVersionsToOutsideAreAsDeepThere)
+{
+  const Floorplan plan = readEarlier(doorwayText("0, 1", "1, -0.2", "2, -0.2"));
+  const PlanOpening& opening = plan.openings.at(0);
+  ASSERT_EQ(opening.walls.size(), 1u);
+  EXPECT_EQ(opening.walls[0].element, 0u);
+  EXPECT_EQ(opening.start, Eigen::Vector2d(2, -0.2)) << "the outside is to the left";
+  EXPECT_NEAR(opening.depth, 0.4, 1e-9);
+  const Floorplan away = readEarlier(doorwayText("1, 2", "20, 1", "20, 2"));
+  EXPECT_TRUE(away.openings.at(0).walls.empty());
+}
+
+TEST(PlanOpenings, DoorwaysOfEarlierVersionsAreNoSecondOpenings)
+{
+  PlanOpening door = planWithADoor().openings[0];
+  door.rooms = {1, 0};
+  door.walls = {{1, 0}};
+  door.swing = 1;
+  const Floorplan plan = readEarlier(doorwayText("1, 0", "1.1, 0", "1.8, 0") + ", " +
+                                         doorwayText("1, 0", "3, 0", "3.8, 0") + ", " +
+                                         doorwayText("1, 0", "3, 0", "3, 0"),
+                                     {door});
+  ASSERT_EQ(plan.openings.size(), 2u) << "one is the door, one has no width";
+  EXPECT_EQ(plan.openings[0].kind, OpeningKind::Door);
+  EXPECT_EQ(plan.openings[1].start.x(), 3);
+  std::string problem;
+  readEarlier(doorwayText("1, 7", "3, 0", "3.8, 0"), {}, &problem);
+  EXPECT_NE(problem.find("room 7"), std::string::npos) << problem;
+  readEarlier(doorwayText("1", "3, 0", "3.8, 0"), {}, &problem);
+  EXPECT_NE(problem.find("a doorway has 2 rooms"), std::string::npos) << problem;
+}
+
+TEST(PlanOpenings, AreReadOfVersionsUpToThisOne)
+{
+  std::string text = floorplanToJson(planWithADoor());
+  text[text.find("\"version\": 3") + 11] = '4';
+  std::string problem;
+  floorplanFromJson(text, problem);
+  EXPECT_NE(problem.find("versions 1 to 3 can be read"), std::string::npos) << problem;
 }
 
 } // namespace

@@ -16,8 +16,6 @@ twoNamedStoreys()
   Floorplan plan = twoStoreys(1.0 / 3);
   plan.storeys = {{1, "ground \"floor\"", 0, 2.5, {1, 2}},
                   {3, "attic", 2.8, 5.2, {3, 4}}};
-  plan.doorways = {{{1, 2}, {4.05, 1.0 / 3}, {4.05, 1.2}, 0.01, 2.05},
-                   {{0, 3}, {0, 1}, {0, 2}, 2.8, 4.8}};
   plan.stairs = {{{2, 4}, {M_PI, 1.5}, 0, 2.8}};
   PlanFlight flight; // 4 steps along x, 1 m wide
   flight.bottom = 0.1;
@@ -47,12 +45,6 @@ TEST(StoreyJson, ReadsBackExactly)
   EXPECT_EQ(read.storeys[1].rooms, (std::vector<std::uint32_t>{3, 4}));
   EXPECT_NEAR(read.storeys[1].floor, 2.8, 1e-12);
   EXPECT_NEAR(read.storeys[1].ceiling, 5.2, 1e-12);
-  ASSERT_EQ(read.doorways.size(), 2u);
-  EXPECT_EQ(read.doorways[0].rooms, plan.doorways[0].rooms);
-  EXPECT_EQ(read.doorways[0].start, plan.doorways[0].start);
-  EXPECT_EQ(read.doorways[0].end, plan.doorways[0].end);
-  EXPECT_EQ(read.doorways[0].bottom, 0.01);
-  EXPECT_EQ(read.doorways[0].top, 2.05);
   ASSERT_EQ(read.stairs.size(), 1u);
   EXPECT_EQ(read.stairs[0].rooms, plan.stairs[0].rooms);
   EXPECT_EQ(read.stairs[0].at, plan.stairs[0].at);
@@ -86,8 +78,6 @@ TEST(StoreyJson, ARoomThatIsGoneIsOutside)
   EXPECT_EQ(problem, "");
   ASSERT_EQ(read.storeys.size(), 1u);
   EXPECT_EQ(read.storeys[0].name, "attic");
-  ASSERT_EQ(read.doorways.size(), 1u);
-  EXPECT_EQ(read.doorways[0].rooms[1], 3u);
   ASSERT_EQ(read.stairs.size(), 1u);
   EXPECT_EQ(read.stairs[0].rooms[0], 0u);
   EXPECT_EQ(read.stairs[0].rooms[1], 4u);

@@ -72,13 +72,13 @@ TEST(Storeys, RoomsThatAreGoneAreLeftOutAndNewOnesGoToTheNearest)
   EXPECT_EQ(storeys[1].rooms, (Ids{3, 4}));
 }
 
-TEST(Storeys, APartHasTheRoomsDoorwaysAndStairsOfItsStorey)
+TEST(Storeys, APartHasTheRoomsOpeningsAndStairsOfItsStorey)
 {
   Floorplan plan = twoStoreys();
-  plan.doorways.resize(3);
-  plan.doorways[0].rooms = {1, 2};
-  plan.doorways[1].rooms = {3, 4};
-  plan.doorways[2].rooms = {3, 0};
+  plan.openings.resize(3);
+  plan.openings[0].rooms = {1, 2};
+  plan.openings[1].rooms = {3, 4};
+  plan.openings[2].rooms = {3, 0};
   plan.stairs.resize(1);
   plan.stairs[0].rooms = {2, 4};
   const auto storeys = storeysOf(plan);
@@ -86,11 +86,11 @@ TEST(Storeys, APartHasTheRoomsDoorwaysAndStairsOfItsStorey)
   const Floorplan upper = partOf(plan, storeys[1]);
   ASSERT_EQ(lower.rooms.size(), 2u);
   EXPECT_EQ(lower.rooms[1].id, 2u);
-  EXPECT_EQ(lower.doorways.size(), 1u);
+  EXPECT_EQ(lower.openings.size(), 1u);
   EXPECT_EQ(lower.stairs.size(), 1u);
   ASSERT_EQ(upper.storeys.size(), 1u);
   EXPECT_EQ(upper.storeys[0].name, "storey 2");
-  EXPECT_EQ(upper.doorways.size(), 2u);
+  EXPECT_EQ(upper.openings.size(), 2u);
   EXPECT_EQ(upper.stairs.size(), 1u);
 }
 

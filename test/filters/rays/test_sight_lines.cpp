@@ -79,7 +79,7 @@ TEST(SightLines, MoveWithTheLevelFrame)
   const std::vector<SightLine> lines = randomLines(5000);
   const Levelling levelling =
       Levelling::of(Vector3d(0.03, -0.02, 1).normalized(), {1, 2, 3});
-  const SightLines level = SightLines(lines).levelled(levelling);
+  const SightLines level = SightLines(lines).moved(levelling.frame());
   const Vector3d place(1, 1, 0.3);
   const Vector3d normal = Vector3d(1, 0.2, 0).normalized();
   EXPECT_TRUE(SightLines(lines).pierce(place, normal, 0.4));

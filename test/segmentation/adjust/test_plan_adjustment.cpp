@@ -186,28 +186,92 @@ TEST(AdjustPlan, SlopesOfSlabsAreMetAndLevelOnesAreLevel)
     EXPECT_NEAR(plan.rooms[0].ceiling.heightAt(p), truth.ceiling.heightAt(p), 0.0005);
 }
 
-TEST(AdjustPlan, TiltedWallsAreMetAtTheirFeet)
+using AtHeight = std::function<double(double z)>;
+
+/** The plain room with its wall at x = 4 m moved into it by so much at each height, and
+ * the others by `others`. */
+std::vector<Eigen::Vector3f>
+withMovedWalls(
+    const AtHeight& into,
+    const AtHeight& others = [](double) { return 0; })
 {
-  // The wall at x = 4 leans into the room by 3 degrees, that at y = 0 is vertical.
-  const double run = std::tan(3 * M_PI / 180);
   RoomPoints upright(0.02, 0.004);
   upright.room(plainRoom());
   std::vector<Eigen::Vector3f> points;
   for (const int i : upright.all()) {
     Eigen::Vector3f p = upright[i];
+    const auto other = static_cast<float>(others(p.z()));
     if (std::abs(p.x() - 4) < 0.02F)
-      p.x() -= static_cast<float>(run) * p.z();
+      p.x() -= static_cast<float>(into(p.z()));
+    else if (std::abs(p.x()) < 0.02F)
+      p.x() += other;
+    else if (std::abs(p.y() - 1.5) > 1.48F)
+      p.y() += p.y() < 1.5 ? other : -other;
     points.push_back(p);
   }
-  const PointView raw(points.data(), sizeof(Eigen::Vector3f), points.size());
+  return points;
+}
+
+PointView
+viewOf(const std::vector<Eigen::Vector3f>& points)
+{
+  return PointView(points.data(), sizeof(Eigen::Vector3f), points.size());
+}
+
+double
+runOf(double degrees)
+{
+  return std::tan(degrees * M_PI / 180);
+}
+
+/** A plan of that room with a wall at x = 4 m of which a tilt is assumed; as all plans
+ * it is right below the ceiling, where the wall is moved by `into`. */
+Floorplan
+planWith(double degrees, double into)
+{
   Floorplan plan = offPlan(plainRoom(), 0.005);
-  const std::vector<PlanElement>& walls = plan.rooms[0].boundary.elements;
-  plan.rooms[0].boundary.elements[1].tilt = 2 * M_PI / 180;
-  adjustPlan(plan, raw, {}, ofCoarsePlans());
-  EXPECT_NEAR(walls[1].tilt, 3 * M_PI / 180, 0.0005);
-  for (const std::size_t wall : {0, 2, 3})
-    EXPECT_EQ(walls[wall].tilt, 0) << wall;
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+  std::vector<PlanElement>& walls = plan.rooms[0].boundary.elements;
+  for (Vector2d* const end :
+       {&walls[0].end, &walls[1].start, &walls[1].end, &walls[2].start})
+    end->x() += runOf(degrees) * 2.35 - into;
+  walls[1].tilt = degrees * M_PI / 180;
+  return plan;
+}
+
+TEST(AdjustPlan, TiltedWallsAreMetAtTheirFeet)
+{
+  for (const double given : {0.0, 2.0, 3.0})
+    for (const double degrees : {1.2, 2.0, 3.0}) {
+      if (degrees - given > 2) // too far off
+        continue;
+      SCOPED_TRACE(testing::Message() << given << " degrees, truth " << degrees);
+      const auto points = withMovedWalls([&](double z) { return runOf(degrees) * z; });
+      Floorplan plan = planWith(given, runOf(degrees) * 2.35);
+      const PlanLoop& boundary = plan.rooms[0].boundary;
+      adjustPlan(plan, viewOf(points), {}, ofCoarsePlans());
+      EXPECT_NEAR(boundary.elements[1].tilt, degrees * M_PI / 180, 0.0005);
+      for (const std::size_t wall : {0, 2, 3})
+        EXPECT_EQ(boundary.elements[wall].tilt, 0) << wall;
+      EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.001);
+    }
+}
+
+TEST(AdjustPlan, WallsThatOnlySeemToTiltAreVertical)
+{
+  const auto panel = [](double z) { return z < 1.3 ? 0 : 0.04; };
+  const auto tolerance = [](double z) { return runOf(0.8) * z; };
+  const auto drift = [](double z) { return runOf(1.3) * (z - 2.35); };
+  for (const auto& points :
+       {withMovedWalls(panel), withMovedWalls(tolerance),
+        withMovedWalls(drift, [&](double z) { return -drift(z); })})
+    for (const double given : {0.0, 2.0}) {
+      Floorplan plan = planWith(given, 0);
+      const PlanLoop& boundary = plan.rooms[0].boundary;
+      adjustPlan(plan, viewOf(points), {}, ofCoarsePlans());
+      for (const PlanElement& wall : boundary.elements)
+        EXPECT_EQ(wall.tilt, 0);
+      EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.05);
+    }
 }
 
 TEST(AdjustPlan, ErrorsThatPointsShareAreMeasured)

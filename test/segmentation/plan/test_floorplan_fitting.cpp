@@ -2,7 +2,6 @@
 #include "two_rooms.h"
 
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_segmentation/tilted_faces.h>
 #include <pcl/sedr_segmentation/wall_noise.h>
 
 #include <algorithm>
@@ -240,54 +239,43 @@ TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)
             std::string::npos)
       << fitting.getErrorMessage();
   EXPECT_TRUE(plan.rooms.empty());
-  fitting.setRooms({});
-  fitting.setTiltedWalls({{{0, 0}, {1, 0}, 0.1, 0, 2}}, nullptr);
-  EXPECT_FALSE(fitting.segment(plan));
-  EXPECT_NE(fitting.getErrorMessage().find("with the tilted walls 0"),
-            std::string::npos)
-      << fitting.getErrorMessage();
 }
 
-TEST(FloorplanFitting, FitsTiltedWallsToPointsThatWereMovedToVerticalWalls)
+TEST(FloorplanFitting, WallsTiltOutAndInHoweverMuch)
 {
-  // The wall at x = 4 m tilts into the room by 5 degrees.
-  const double run = std::tan(5 * M_PI / 180);
-  RoomPoints points;
-  RoomParts parts = points.room(rectangle(0, 0, 4, 3), 0, 2.5);
-  const auto scanned = points.cloud();
-  for (auto& p : *scanned)
-    if (p.x > 3.98F && p.z > 0.01F && p.z < 2.49F)
-      p.x -= static_cast<float>(run) * p.z;
-  const auto isBehind = [&](int i) {
-    return (*scanned)[static_cast<std::size_t>(i)].x > 4 - 2.5 * run;
-  };
-  parts.ceiling.erase(
-      std::remove_if(parts.ceiling.begin(), parts.ceiling.end(), isBehind),
-      parts.ceiling.end());
-  std::vector<int> all = parts.ceiling;
-  for (const auto* part : {&parts.floor, &parts.walls})
-    all.insert(all.end(), part->begin(), part->end());
-  const std::vector<TiltedFace> faces = tiltedFaces(PointView(*scanned), all);
-  ASSERT_FALSE(faces.empty());
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr moved(
-      new pcl::PointCloud<pcl::PointXYZ>(*scanned));
-  for (auto& p : *moved)
-    p.getVector3fMap() =
-        withVerticalWalls(faces, p.getVector3fMap().cast<double>()).cast<float>();
-  Fitting fitting;
-  fitting.setInputCloud(moved);
-  fitting.setCeilingIndices(shared(parts.ceiling));
-  fitting.setFloorIndices(shared(parts.floor));
-  fitting.setWallIndices(shared(parts.walls));
-  fitting.setTiltedWalls(faces, scanned);
-  Floorplan plan;
-  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
-  const PlanLoop& boundary = plan.rooms.at(0).boundary;
-  EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.01);
-  double most = 0;
-  for (const PlanElement& wall : boundary.elements)
-    most = std::max(most, wall.tilt);
-  EXPECT_NEAR(most, 5 * M_PI / 180, 0.002);
+  for (const double degrees : {-25.0, -8.0, 1.2, 2.0, 5.0, 12.0, 25.0}) {
+    SCOPED_TRACE(degrees);
+    // The foot of the wall is at x = 4 m.
+    const double tilt = degrees * M_PI / 180;
+    const double run = std::tan(tilt);
+    const double head = 4 - 2.5 * run;
+    RoomPoints points;
+    RoomParts parts = points.room(rectangle(0, 0, std::max(4.0, head), 3), 0, 2.5);
+    const auto scan = points.cloud();
+    const auto isBeyond = [&](int i) {
+      const auto& p = (*scan)[static_cast<std::size_t>(i)];
+      return p.x > 4.001 - run * p.z;
+    };
+    for (const int i : parts.walls)
+      if (auto& p = (*scan)[static_cast<std::size_t>(i)];
+          p.x > std::max(4.0, head) - 0.02)
+        p.x = static_cast<float>(4 - run * p.z);
+    for (auto* part : {&parts.ceiling, &parts.floor, &parts.walls})
+      part->erase(std::remove_if(part->begin(), part->end(), isBeyond), part->end());
+    Fitting fitting;
+    fitting.setInputCloud(scan);
+    fitting.setCeilingIndices(shared(parts.ceiling));
+    fitting.setFloorIndices(shared(parts.floor));
+    fitting.setWallIndices(shared(parts.walls));
+    Floorplan plan;
+    ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+    const PlanLoop& boundary = plan.rooms.at(0).boundary;
+    EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.01);
+    double sum = 0;
+    for (const PlanElement& wall : boundary.elements)
+      sum += wall.tilt;
+    EXPECT_NEAR(sum, tilt, 0.002);
+  }
 }
 
 TEST(FloorplanFitting, ARadiusBeyondTheLimitsIsNoArc)

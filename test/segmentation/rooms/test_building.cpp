@@ -33,8 +33,8 @@ TEST(FindBuilding, TellsRoomsTheirStoreyAndTheDoorBetweenThem)
       EXPECT_NEAR(room.ceiling, 2.51, 0.051);
       EXPECT_GT(room.enclosure, 0.95);
     }
-    ASSERT_EQ(b.doorways.size(), 1u);
-    const PlanDoorway& door = b.doorways[0];
+    ASSERT_EQ(b.links.size(), 1u);
+    const RoomLink& door = b.links[0];
     EXPECT_EQ(door.rooms, (std::array<std::uint32_t, 2>{1, 2}));
     EXPECT_NEAR(((door.start + door.end) / 2 - scene.place(4.1, 1.5)).norm(), 0, 0.2);
     EXPECT_NEAR(door.width(), 0.9, 0.25);
@@ -153,7 +153,7 @@ TEST(FindBuilding, WhereOneClimbsToARoomThereAreStairs)
   EXPECT_NEAR(stair.bottom, 0.01, 0.051);
   EXPECT_NEAR(stair.top, 2.01, 0.051);
   EXPECT_NEAR((stair.at - Eigen::Vector2d(6.15, 2)).norm(), 0, 0.4);
-  EXPECT_TRUE(found.building.doorways.empty());
+  EXPECT_TRUE(found.building.links.empty());
 }
 
 TEST(FindBuilding, StairsThroughAHoleInASlabLeadFromRoomToRoom)
@@ -284,6 +284,30 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
   ASSERT_EQ(one.building.rooms.size(), three.building.rooms.size());
   for (std::size_t r = 0; r < one.building.rooms.size(); ++r)
     EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
+}
+
+TEST(LinksWithoutOpening, AreToldUnlessAnOpeningJoinsTheirRoomsThere)
+{
+  Building building;
+  building.links = {{{1, 2}, {4.1, 1}, {4.1, 2}, 0, 2.05}};
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.2, 0, 8, 3), 2.5, 2)}};
+  const std::vector<PlanWarning> told = linksWithoutOpening(building, plan);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].kind, WarningKind::NoOpening);
+  EXPECT_EQ(told[0].at, Eigen::Vector2d(4.1, 1.5));
+  EXPECT_EQ(sentenceOf(told[0]),
+            "room 1: one can walk to room 2 around (4.1, 1.5), through a gap 1.00 m "
+            "wide and 2.05 m high, but no opening was found there");
+  plan.openings = {{OpeningKind::Door, {2, 1}, {}, {4.1, 1.8}, {4.1, 1}, 0, 2}};
+  EXPECT_TRUE(linksWithoutOpening(building, plan).empty());
+  plan.openings[0].bottom = 2.1; // a skylight above it
+  plan.openings[0].top = 2.4;
+  EXPECT_EQ(linksWithoutOpening(building, plan).size(), 1u);
+  plan.openings[0] = {OpeningKind::Door, {1, 0}, {}, {4.1, 1.8}, {4.1, 1}, 0, 2};
+  EXPECT_EQ(linksWithoutOpening(building, plan).size(), 1u) << "it leads elsewhere";
+  plan.rooms.pop_back();
+  EXPECT_TRUE(linksWithoutOpening(building, plan).empty()) << "of no room of the plan";
 }
 
 } // namespace

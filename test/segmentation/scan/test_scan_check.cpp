@@ -33,7 +33,8 @@ changed(Change change)
 std::string
 scanProblemOf(const RoomPoints& points)
 {
-  return scanProblem(points.view(), points.all());
+  const std::vector<int> all = points.all();
+  return scanProblem(points.view(), &all);
 }
 
 bool
@@ -85,7 +86,7 @@ TEST(ScanProblem, TooFewFinitePointsAreCounted)
   EXPECT_TRUE(mentions(problem, "1000")) << problem;
   points.point(1, 1, 1);
   EXPECT_EQ(scanProblemOf(points), "");
-  EXPECT_TRUE(mentions(scanProblem(PointView(), {}), "0 of 0"));
+  EXPECT_TRUE(mentions(scanProblem(PointView()), "0 of 0"));
 }
 
 TEST(ScanProblem, LooksAtTheIndexedPointsOnly)
@@ -94,7 +95,7 @@ TEST(ScanProblem, LooksAtTheIndexedPointsOnly)
   const std::vector<int> room = points.all();
   for (int i = 0; i < 20000; ++i)
     points.point(1000.0 * i, 0, 1000.0 * i);
-  EXPECT_EQ(scanProblem(points.view(), room), "");
+  EXPECT_EQ(scanProblem(points.view(), &room), "");
   EXPECT_NE(scanProblemOf(points), "");
 }
 
@@ -109,6 +110,15 @@ planOf(const std::vector<double>& heights, double area)
     x += area / 10 + 5;
   }
   return plan;
+}
+
+/** A link of the given height. */
+std::vector<RoomLink>
+linkOf(double height)
+{
+  RoomLink link;
+  link.top = height;
+  return {link};
 }
 
 TEST(FootProblem, RoomsAsHighAsThoseOfAHomeAreInFeetAreTold)
@@ -126,40 +136,32 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   const std::string hall = footProblem(planOf({10.6}, 600));
   EXPECT_TRUE(mentions(hall, "--unit 0.3048")) << hall;
   Floorplan two = planOf({8, 8}, 150);
-  two.doorways.resize(1);
-  two.doorways[0].top = 6.7;
-  EXPECT_TRUE(mentions(footProblem(two), "--unit 0.3048"));
-  two.doorways[0].top = 2.1;
-  EXPECT_EQ(footProblem(two), "") << "halls with doors of metres";
-  two.doorways[0].top = 4;
-  EXPECT_EQ(footProblem(two), "") << "portals, which nobody passes in feet";
-  two.doorways[0].top = 6;
+  EXPECT_TRUE(mentions(footProblem(two, linkOf(6.7)), "--unit 0.3048"));
+  EXPECT_EQ(footProblem(two, linkOf(2.1)), "") << "halls with doors of metres";
+  EXPECT_EQ(footProblem(two, linkOf(4)), "") << "portals, which nobody passes in feet";
   two.rooms[1].boundary = rectangle(16, 0, 31, 10);
-  EXPECT_TRUE(mentions(footProblem(two), "walls 1.00 m thick"));
+  EXPECT_TRUE(mentions(footProblem(two, linkOf(6)), "walls 1.00 m thick"));
 }
 
 TEST(FootProblem, DoorsAndScannersTellItOfLargeRoomsToo)
 {
-  Floorplan halls = planOf({8, 8.5, 10}, 600);
+  const Floorplan halls = planOf({8, 8.5, 10}, 600);
   const std::vector<Eigen::Vector3f> in_feet{{3, 3, 5.2F}, {5, 5, 5.4F}, {3, 3, -2}};
-  const std::string problem = footProblem(halls, in_feet);
+  const std::string problem = footProblem(halls, {}, in_feet);
   EXPECT_TRUE(mentions(problem, "the scanner stood 5.")) << problem;
-  halls.doorways.resize(1);
-  halls.doorways[0].top = 6.7;
-  Floorplan gym = planOf({21}, 6000);
+  const Floorplan gym = planOf({21}, 6000);
   EXPECT_TRUE(mentions(footProblem(gym), "--unit 0.3048"));
-  EXPECT_EQ(footProblem(gym, {{3, 3, 1.6F}}), "");
-  gym.doorways = halls.doorways;
-  const std::string by_doors = footProblem(gym);
+  EXPECT_EQ(footProblem(gym, {}, {{3, 3, 1.6F}}), "");
+  const std::string by_doors = footProblem(gym, linkOf(6.7));
   EXPECT_TRUE(mentions(by_doors, "6000 m2 large, doors are 6.7 m high")) << by_doors;
-  EXPECT_EQ(footProblem(gym, {{3, 3, 1.6F}}), "") << "gates, not doors";
+  EXPECT_EQ(footProblem(gym, linkOf(6.7), {{3, 3, 1.6F}}), "") << "gates, not doors";
 }
 
 TEST(FootProblem, AScannerAsHighAsADoorOfMetresTellsMetres)
 {
   const Floorplan hall = planOf({10.6}, 240);
-  EXPECT_EQ(footProblem(hall, {{3, 3, 1.6F}}), "");
-  EXPECT_NE(footProblem(hall, {{3, 3, 9.5F}}), "") << "a camera below the ceiling";
+  EXPECT_EQ(footProblem(hall, {}, {{3, 3, 1.6F}}), "");
+  EXPECT_NE(footProblem(hall, {}, {{3, 3, 9.5F}}), "") << "a camera below the ceiling";
 }
 
 TEST(FootProblem, HallsAndRoomsInMetresAreNone)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/scan/scan_tilt.h"
-#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include "turned_room.h"
 #include <pcl/sedr_filters/scan_frame.h>
@@ -101,20 +100,6 @@ TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
   EXPECT_EQ(tiltOf(sheared.view(), sheared.all()).angle, 0);
 }
 
-TEST(TiltedFaces, AWallAboveWideWindowsIsVerticalHoweverFarBehindTheirPanesAre)
-{
-  for (const double behind : {0.06, 0.08, 0.1, 0.12, 0.14}) {
-    RoomPoints room(0.05, 0.003);
-    const PlanLoop loop = rectangle(0, 0, 6, 4);
-    room.slab(loop, 0);
-    for (std::size_t wall = 1; wall < 4; ++wall)
-      room.wall(loop.elements[wall], 0, 3.1);
-    room.wall(loop.elements[0], 2.1, 3.1);
-    room.wall(segment({1, -behind}, {5, -behind}), 0.7, 2.1);
-    EXPECT_TRUE(tiltedFaces(room.view(), room.all()).empty()) << behind;
-  }
-}
-
 TEST(ScanTilt, ALevelScanHasNoneAndNorHasNothing)
 {
   const RoomPoints points =
@@ -154,33 +139,6 @@ TEST(ScanTilt, AWavyGroundHasNone)
     for (double y = 0; y < 20; y += 0.05)
       ground.point(x, y, 1.5 * std::sin(0.7 * x) * std::cos(0.5 * y));
   EXPECT_EQ(tiltOf(ground.view(), ground.all()).angle, 0);
-}
-
-TEST(VerticalWalls, AFaceGoesToItsLineAtTheHeadAndNothingBetweenFacesIsTorn)
-{
-  // Walls along x that are 3 m apart at their heads and tilt by 20 degrees out.
-  const double run = std::tan(20 * degree);
-  const std::vector<TiltedFace> faces = {{{6, 0}, {0, 0}, run, 0, 2.5},
-                                         {{0, 3}, {6, 3}, run, 0, 2.5}};
-  for (const double z : {0.0, 1.0, 2.5}) {
-    const double out = run * (2.5 - z);
-    for (const double sign : {-1.0, 1.0}) {
-      const Eigen::Vector3d on_face(2, 1.5 + sign * (1.5 - out), z);
-      EXPECT_NEAR(withVerticalWalls(faces, on_face).y(), 1.5 + sign * 1.5, 1e-5) << z;
-    }
-    double before = withVerticalWalls(faces, {2, -0.5, z}).y();
-    for (double y = -0.49; y < 3.5; y += 0.01) {
-      const double moved = withVerticalWalls(faces, {2, y, z}).y();
-      EXPECT_LT(std::abs(moved - before), 0.05) << y << ' ' << z;
-      before = moved;
-    }
-  }
-  EXPECT_EQ(withVerticalWalls({}, {1, 2, 3}), Eigen::Vector3d(1, 2, 3));
-  for (int k = 0; k < 3; ++k) {
-    Eigen::Vector3d p(2, 0.1, 1);
-    p[k] = NAN;
-    EXPECT_FALSE(withVerticalWalls(faces, p).allFinite()) << k;
-  }
 }
 
 } // namespace

@@ -56,14 +56,19 @@ TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
 
   Reconstruction other;
   std::string problem;
-  other.setThinning([&] {
+  other.setThinning([&](const pcl::sedr::FindFrame& find_frame) {
     pcl::sedr::ThinnedScan scan;
     scan.problem = problem;
     scan.size = cloud->size();
     for (const auto& p : *cloud)
       scan.excerpt->push_back(p.getVector3fMap());
+    const auto frame = find_frame(*scan.excerpt);
+    const auto moved = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*cloud);
+    for (auto& p : *moved)
+      p.getVector3fMap() =
+          frame->toBuilding(p.getVector3fMap().cast<double>()).cast<float>();
     pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-    grid.setInputCloud(cloud);
+    grid.setInputCloud(moved);
     grid.filter(*scan.points);
     return scan;
   });

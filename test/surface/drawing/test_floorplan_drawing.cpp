@@ -210,7 +210,15 @@ TEST(FloorplanDrawing, TextsTellSizesAndHeights)
   // Each step is drawn over the previous ones.
   room.floor_details = {detailOf(rectangle(6, 0, 8, 4), 0.15),
                         detailOf(rectangle(7, 0, 8, 4), 0.3)};
-  plan.doorways = {{{1, 0}, {1, -0.1}, {1.9, -0.1}, 0, 2.05}};
+  plan.openings = {{OpeningKind::Passage,
+                    {1, 0},
+                    {{1, 0}},
+                    {1.9, -0.1},
+                    {1, -0.1},
+                    0,
+                    2.05,
+                    0,
+                    0.2}};
   const std::string svg = floorplanToSvg(plan);
   for (const char* text : {">Room 1<", ">47.72 m²<", ">h 2.50 m<", ">Ø 0.40<",
                            ">0.90 x 2.05<", ">2.20<", ">+0.15<", ">+0.30<"})

@@ -152,7 +152,7 @@ TEST(StructureCompare, ADoorThatIsBrickedUpAndOneThatIsCut)
   after.openings = {doorAt(1.8), doorAt(3.1)};
   EXPECT_EQ(told(before, after), (Lines{"bricked up door, 1.80 m2: opening_1",
                                         "cut door, 1.80 m2: opening_1"}));
-  EXPECT_EQ(told(shifted(before, {7, 8, 9}), shifted(before, {7, 8, 9})), Lines{});
+  EXPECT_EQ(told(moved(before, 0, {7, 8, 9}), moved(before, 0, {7, 8, 9})), Lines{});
 }
 
 TEST(StructureCompare, ADoorMovesWithItsWall)

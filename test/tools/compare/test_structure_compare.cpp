@@ -48,7 +48,7 @@ TEST_F(CompareTool, CountsBothModelsFromOneOrigin)
   writeFile(in("b.json"), documentToJson({twoRooms(), Origin{far}}));
   const ProgramRun result =
       run(STRUCTURE_COMPARE,
-          {plan("a.json", pcl::sedr::tools::shifted(twoRooms(), far)), in("b.json")});
+          {plan("a.json", pcl::sedr::moved(twoRooms(), 0, far)), in("b.json")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "nothing has changed\n");
 }

@@ -86,7 +86,7 @@ def collisions(boxes):
 
 
 def plan_of(truth):
-    """The plan that a scene is the truth of: loops, columns, floors and ceilings."""
+    """The plan that a scene is the truth of: loops, columns, floors and ceilings; ways as files of version 1 have them."""
     def slab(height):
         return {"plane": [0, 0, 1, -height], "inliers": 9, "residual": 0}
 

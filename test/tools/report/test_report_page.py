@@ -462,7 +462,8 @@ class OtherReportsInABrowser(BrowserCase):
         for low in sample_plan()["rooms"]:
             plan["rooms"].append({**low, "id": low["id"] + 2, "floor": slab(2.8), "ceiling": slab(5.3), "details": []})
         plan["storeys"] = [{"number": 1, "name": "ground floor", "rooms": [1, 2]}, {"number": 2, "name": "<attic>", "rooms": [3, 4]}]
-        plan["doorways"] = [{"rooms": [1, 2], "start": [4.1, 1], "end": [4.1, 1.9], "bottom": 0, "top": 2}]
+        plan["openings"] = [{"kind": "door", "rooms": [1, 2], "walls": [], "start": [4.1, 1], "end": [4.1, 1.9], "bottom": 0, "top": 2,
+                             "hinge": "unknown", "state": "unknown"}]
         report["rooms"] += [{**room, "id": room["id"] + 2} for room in report["rooms"]]
         report["coverage"] = {"seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
             {"reason": "room 3: <no> plan", "area": 48.4, "floor": -0.5, "ceiling": 2.5, "at": [10, -2.25], "counts": True}]}

@@ -3,7 +3,6 @@
 #include "scan_file.h"
 #include "scan_folder.h"
 
-#include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include "tools/reading_settings.h"
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
@@ -175,31 +174,6 @@ TEST_F(ScanFiles, ASinglePointThatIsFiniteIsFound)
   EXPECT_EQ(thinned(ScanFile(write(pcdBytes(points))), 2).width, 1u);
   points[100777] = {nan, 2, 3};
   EXPECT_NE(refusal(pcdBytes(points)).find("no finite point"), std::string::npos);
-}
-
-TEST_F(ScanFiles, AnExcerptKeepsEveryKthPointAndTheSentenceOfTheWhole)
-{
-  const ToolCloud cloud = load(pcdBytes(roomPoints(20000)));
-  const ScanFile scan(in("scan"), inPieces(5000));
-  const pcl::sedr::ScanExcerpt excerpt(scan, 3000, 2);
-  EXPECT_EQ(thinned(excerpt, 2).data, thinned(scan, 1).data);
-  EXPECT_EQ(excerpt.problem(), "");
-  const std::size_t step = 7; // of 20001
-  ASSERT_EQ(excerpt.points()->size(), 20001 / step + 1);
-  for (std::size_t k = 0; k < excerpt.points()->size(); ++k) {
-    const auto& p = (*excerpt.points())[k];
-    const auto& q = (*cloud.points)[step * k];
-    ASSERT_TRUE(p.x() == q.x || (std::isnan(p.x()) && std::isnan(q.x)));
-  }
-  // Thinning stops early for a scan in millimetres.
-  auto points = roomPoints(20000);
-  for (auto& p : points)
-    for (float& v : p)
-      v *= 1000;
-  const ScanFile large(write(pcdBytes(points), "mm.pcd"), inPieces(5000));
-  const pcl::sedr::ScanExcerpt refused(large, 3000, 2);
-  EXPECT_LT(thinned(refused, 2).width, 2000u);
-  EXPECT_NE(refused.problem().find("if its unit is the"), std::string::npos);
 }
 
 } // namespace

@@ -73,49 +73,6 @@ comparePlans(const Floorplan& before,
   return changes;
 }
 
-Floorplan
-shifted(Floorplan plan, const Eigen::Vector3d& shift)
-{
-  if (shift.isZero(0))
-    return plan;
-  const auto moveSlab = [&](PlanSlab& slab) {
-    slab.plane[3] -= slab.plane.head<3>().dot(shift);
-    if (slab.curve)
-      slab.curve = std::make_shared<const SlabCurve>(moved(*slab.curve, 0, shift));
-  };
-  const auto moveLoop = [&](PlanLoop& loop) {
-    for (auto& element : loop.elements)
-      for (auto* place : {&element.start, &element.end, &element.centre})
-        *place += shift.head<2>();
-  };
-  for (auto& room : plan.rooms) {
-    moveLoop(room.boundary);
-    for (auto& niche : room.niches) {
-      moveLoop(niche.boundary);
-      moveSlab(niche.bottom);
-      moveSlab(niche.top);
-    }
-    moveSlab(room.floor);
-    moveSlab(room.ceiling);
-    for (auto& column : room.columns)
-      moveLoop(column);
-    for (auto* details : {&room.details, &room.floor_details})
-      for (auto& detail : *details) {
-        moveLoop(detail.boundary);
-        moveSlab(detail.slab);
-        for (auto& hole : detail.holes)
-          moveLoop(hole);
-      }
-  }
-  for (auto& opening : plan.openings) {
-    opening.start += shift.head<2>();
-    opening.end += shift.head<2>();
-    opening.bottom += shift.z();
-    opening.top += shift.z();
-  }
-  return plan;
-}
-
 std::string
 describe(const Change& change)
 {

@@ -15,9 +15,6 @@ std::vector<Change> comparePlans(const Floorplan& before,
                                  const Floorplan& after,
                                  const CompareSettings& settings);
 
-/** @brief Returns the rooms and openings of a plan, moved. */
-Floorplan shifted(Floorplan plan, const Eigen::Vector3d& shift);
-
 /** @brief Describes a change in a line: "moved partition by 0.30 m (x +0.30, y +0.00),
  * 3.0 m: room_1_wall_3, room_2_wall_1 -> room_1_wall_3, room_2_wall_1"; an opening as
  * "bricked up door, 1.80 m2: opening_3". */

@@ -85,8 +85,7 @@ Coverage
 checkedCoverage(const Reconstruction& chain, bool takes_partial)
 {
   constexpr double least = 0.5;
-  const Coverage coverage =
-      coverageOf(chain.getChain().getBuilding(), *chain.getFloorplan());
+  const Coverage& coverage = chain.getChain().coverage;
   if (coverage.share() >= least || takes_partial)
     return coverage;
   const auto gap = coverageWarning(coverage);
@@ -216,8 +215,11 @@ writePictures(const OutputFolder& folder, const Reconstruction& chain)
 {
   const StructureChain& c = chain.getChain();
   writeWhole(folder.file(rooms_picture), drawRooms(c.getBuilding()).png());
+  const BuildingFrame to_building = c.levelFrame().to(c.frame);
+  const Floorplan plan = moved(*c.plan, to_building.yaw(),
+                               to_building.toBuilding(Eigen::Vector3d::Zero()));
   writeWhole(folder.file(plan_picture),
-             drawPlan(*c.plan, c.floorplan_fitting.getBoundaries()).png());
+             drawPlan(plan, c.floorplan_fitting.getBoundaries()).png());
 }
 
 /** @brief Writes report.html from the model's files, which must exist.

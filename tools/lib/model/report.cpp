@@ -183,6 +183,15 @@ roomsOf(const Reconstruction& chain)
   return rooms;
 }
 
+/** @brief Returns the frame in which the building was found: the angle by which its x
+ * axis is turned, degrees, and its origin in the frame of the plan. */
+Json
+frameOf(const StructureChain& chain)
+{
+  const BuildingFrame frame = chain.levelFrame().to(chain.frame);
+  return {{"yaw", -frame.yaw() * 180 / M_PI}, {"origin", frame.origin}};
+}
+
 /** @brief Returns the noise of the walls of each storey, metres. */
 Json
 noiseOf(const std::vector<WallNoise>& storeys)
@@ -235,8 +244,10 @@ openingsOf(const Floorplan& plan)
 Json
 wallMapsOf(const Reconstruction& chain)
 {
-  const auto search = chain.getChain().opening_detection.getSearch();
-  return search ? wallMaps(*chain.getFloorplan(), *search) : Json::array();
+  const StructureChain& c = chain.getChain();
+  const auto search = c.opening_detection.getSearch();
+  return search ? wallMaps(*c.plan, *search, c.levelFrame().to(c.frame))
+                : Json::array();
 }
 
 Json
@@ -323,6 +334,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"storeys", storeysOf(chain)},
             {"origin", nullptr}, // reserves its position here
             {"levelling", levelling ? levellingToJson(*levelling) : Json()},
+            {"frame", frameOf(chain.getChain())},
             {"positions", positionsOf(chain.getChain().mirrored)},
             {"noise", noiseOf(chain.getChain().floorplan_fitting.getWallNoise())},
             {"support", supportOf(wallShares(*chain.getFloorplan()))},

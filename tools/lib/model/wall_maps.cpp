@@ -44,8 +44,13 @@ runsOf(const WallMap& map, double cell, std::size_t columns, std::size_t rows)
 } // namespace
 
 Json
-wallMaps(const Floorplan& plan, const OpeningSearch& search)
+wallMaps(const Floorplan& plan,
+         const OpeningSearch& search,
+         const BuildingFrame& to_maps)
 {
+  const auto onSide = [&](const WallSide& side, const Eigen::Vector2d& p) {
+    return side.line.project(to_maps.toBuilding({p.x(), p.y(), 0}).head<2>());
+  };
   constexpr double finest = 0.1; // metres
   constexpr double most = 5e5;   // cells
   double area = 0;
@@ -70,8 +75,8 @@ wallMaps(const Floorplan& plan, const OpeningSearch& search)
       for (const OpeningWall& in : opening.walls)
         if (in.room == plan.rooms[side.room].id &&
             std::count(side.elements.begin(), side.elements.end(), in.element) > 0) {
-          const auto [from, to] = std::minmax(
-              {side.line.project(opening.start), side.line.project(opening.end)});
+          const auto [from, to] =
+              std::minmax({onSide(side, opening.start), onSide(side, opening.end)});
           openings.push_back({{"kind", nameOf(opening.kind)},
                               {"from", from},
                               {"to", to},
@@ -81,7 +86,7 @@ wallMaps(const Floorplan& plan, const OpeningSearch& search)
     maps.push_back({{"room", plan.rooms[side.room].id},
                     {"walls", walls},
                     {"length", side.line.length()},
-                    {"base", map.heightOf(0)},
+                    {"base", map.heightOf(0) + to_maps.origin.z()},
                     {"cell", size},
                     {"columns", columns},
                     {"rows", rows},

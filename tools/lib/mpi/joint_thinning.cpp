@@ -3,6 +3,7 @@
 
 #include "sedr_filters/src/voxels/voxel_sums.h"
 #include "sedr_segmentation/src/adjust/plan_adjustment.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 namespace pcl::sedr::tools {
@@ -10,6 +11,12 @@ namespace pcl::sedr::tools {
 namespace {
 
 using Excerpt = std::vector<Eigen::Vector3f>;
+
+PointView
+viewOf(const Excerpt& points)
+{
+  return {points.data(), sizeof(Eigen::Vector3f), points.size()};
+}
 
 /** @brief The rows of one rank. */
 class PartOfScan {
@@ -21,38 +28,37 @@ public:
       , end_(borderOf(ranks.rank() + 1, ranks.size()))
   {}
 
-  /** @brief Adds its points to the sums, and collects every k-th of the scan.
-   * @param may_stop stop adding if the part seems so large that the unit cannot be the
-   * metre, when thinning would not reduce it
-   * @return whether all points were added */
-  bool read(bool may_stop, VoxelSums& sums, Excerpt& excerpt) const
+  /** @brief Collects every k-th point of the scan. */
+  void read(Excerpt& excerpt) const
   {
-    excerpt.clear();
     const std::size_t step = rawStep(scan_.size(), AdjustmentParameters().max_points);
-    ScanSample sample(end_ - begin_);
-    RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
-    bool adds = true;
-    std::size_t looked_at = 0;
-    scan_.forEachPiece(begin_, end_, [&](const RowSource::Piece& piece) {
-      const PointView points = coordinates.of(piece.rows, piece.size, threads_);
-      addToExcerpt(points, piece.first, step, sample, excerpt,
-                   [&](const RowSource::SeeRun& see_run) {
-                     if (adds)
-                       sums.add(points, threads_, nullptr, see_run);
-                     else
-                       see_run(0, points.size());
-                   });
-      const std::size_t seen = piece.first + piece.size - begin_;
-      if (may_stop && adds && seen >= 2 * looked_at) { // which costs next to nothing
-        looked_at = seen;
-        adds = !sample.isTooLarge();
-      }
-      return true;
+    forEachPiece([&](const PointView& points, std::size_t first) {
+      addToExcerpt(points, first, step, excerpt);
     });
-    return adds;
+  }
+
+  /** @brief Adds its points, moved to a frame, to the sums. */
+  void addTo(const BuildingFrame& frame, VoxelSums& sums) const
+  {
+    Excerpt moved;
+    forEachPiece([&](const PointView& points, std::size_t) {
+      moved.resize(points.size());
+      movePoints(frame, points, threads_, moved.data());
+      sums.add(viewOf(moved), threads_);
+    });
   }
 
 private:
+  template <typename See>
+  void forEachPiece(See see) const
+  {
+    RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
+    scan_.forEachPiece(begin_, end_, [&](const RowSource::Piece& piece) {
+      see(coordinates.of(piece.rows, piece.size, threads_), piece.first);
+      return true;
+    });
+  }
+
   std::size_t borderOf(int rank, int ranks) const
   {
     return scan_.size() * static_cast<std::size_t>(rank) /
@@ -91,15 +97,6 @@ join(const Ranks& ranks, const Excerpt& mine, Excerpt& all)
   }
 }
 
-std::string
-problemOf(const Excerpt& excerpt, unsigned threads)
-{
-  ScanSample sample(excerpt.size());
-  sample.add(PointView(excerpt.data(), sizeof(Eigen::Vector3f), excerpt.size()),
-             threads);
-  return sample.problem();
-}
-
 void
 writeMeans(VoxelSums& sums, unsigned threads, StructureChain::Cloud& means)
 {
@@ -116,28 +113,26 @@ writeMeans(VoxelSums& sums, unsigned threads, StructureChain::Cloud& means)
 ThinnedScan
 thinTogether(const Ranks& ranks,
              const JointScan& scan,
-             const ParallelVoxelGrid<pcl::PointXYZ>& grid)
+             const ParallelVoxelGrid<pcl::PointXYZ>& grid,
+             const FindFrame& find_frame)
 {
   const unsigned threads = grid.getNumberOfThreads();
   const PartOfScan part(ranks, scan, threads);
-  const Eigen::Array3f inverse_leaf =
-      Eigen::Array3f::Ones() / grid.getLeafSize().array();
-  auto sums = std::make_unique<VoxelSums>(inverse_leaf);
-  bool is_whole = false;
   Excerpt excerpt;
-  together(ranks, [&] { is_whole = part.read(true, *sums, excerpt); });
+  together(ranks, [&] { part.read(excerpt); });
   ThinnedScan thinned;
   thinned.size = scan.size();
   join(ranks, excerpt, *thinned.excerpt);
-  thinned.problem = problemOf(*thinned.excerpt, threads);
+  thinned.problem = scanProblem(viewOf(*thinned.excerpt));
   if (!thinned.problem.empty())
     return thinned;
-  together(ranks, [&] {
-    if (is_whole)
-      return;
-    sums = std::make_unique<VoxelSums>(inverse_leaf); // the whole scan is not too large
-    part.read(false, *sums, excerpt);
-  });
+  const auto frame = find_frame(*thinned.excerpt);
+  if (!frame)
+    return thinned;
+  const Eigen::Array3f inverse_leaf =
+      Eigen::Array3f::Ones() / grid.getLeafSize().array();
+  auto sums = std::make_unique<VoxelSums>(inverse_leaf);
+  together(ranks, [&] { part.addTo(*frame, *sums); });
   addUp(ranks, *sums);
   if (ranks.rank() == 0) {
     if (grid.getRemoveStrays())

@@ -4,7 +4,7 @@
 (function () {
   'use strict';
   const data = JSON.parse(document.getElementById('data').textContent);
-  const report = data.report, plan = data.plan || { rooms: [], storeys: [], doorways: [] };
+  const report = data.report, plan = data.plan || { rooms: [], storeys: [] };
   const rooms = (report.rooms || []).length ? report.rooms : plan.rooms;
   const storeys = plan.storeys || [];
   const distances = (report.evaluation || {}).cloud_to_mesh;
@@ -207,8 +207,7 @@
     }
     section.querySelector('.doors').textContent = (plan.openings || []).length
       ? 'Gaps: passages; a swing or a line across: doors, by whether the leaf was seen open; double lines: windows.'
-      : (plan.doorways || []).length ? 'Gaps: doorways; what was shut, and windows, are drawn as wall.'
-        : 'No doors or windows were found; where there are some, a wall is drawn.';
+      : 'No doors or windows were found; where there are some, a wall is drawn.';
     return data.drawings.length > 0;
   }
 
@@ -234,20 +233,18 @@
   }
 
   function openings(section) {
-    const found = plan.openings || [], doorways = plan.doorways || [], name = room => room ? 'room ' + room : 'outside';
+    const found = plan.openings || [], name = room => room ? 'room ' + room : 'outside';
     const length = door => Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]);
-    const size = [['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)]];
-    const between = ['between', door => door.rooms.map(name).join(' and '), 'text'];
     if (found.length)
-      section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'], between,
+      section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'],
+        ['between', door => door.rooms.map(name).join(' and '), 'text'],
         ['walls', door => (door.walls || []).map(wall => wall.room + '.' + (wall.element + 1)).join(', ')],
-        ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')], ...size,
+        ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')],
+        ['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)],
         ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2) + (door.rooms.includes(0) ? ' at least' : '')],
         ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
         ['probability of kind', door => percent(door.confidence)], ['residual of edges, cm', door => number(100 * door.residual, 1)]], found));
-    else
-      section.querySelector('.wide').append(table([between, ...size], doorways));
-    return found.length + doorways.length > 0;
+    return found.length > 0;
   }
 
   // What the scan shows of each wall, a picture a wall, below the name of its room.

@@ -2,11 +2,11 @@
 #include "report_page.h"
 
 #include "bytes/whole_file.h"
+#include "colour.h"
 #include "plan_file.h"
 #include "report/page_files.h"
 #include "report/page_models.h"
 #include "report/page_scan.h"
-#include "colour.h"
 #include "results/result_folder.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -147,6 +147,8 @@ pageData(const std::string& path, const PageSettings& settings)
     const PlanDocument file = loadPlan(folder.file("floorplan.json"));
     plan = file.plan;
     json["plan"] = Json::parse(textOfFile(folder.file("floorplan.json")));
+    if (json["plan"].contains("doorways")) // of an earlier version: openings now
+      json["plan"] = Json::parse(documentToJson(file));
     json["drawings"] = drawings(file);
     if (!tellsOf(folder.report(), plan)) {
       const char* const text =

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "sedr-building";
-constexpr int format_version = 3;
+constexpr int format_version = 4;
 
 } // namespace
 
@@ -25,12 +25,19 @@ buildingToJson(const Building& building)
   for (const BuildingRoom& room : building.rooms)
     rooms.push_back(
         {{"id", room.id}, {"floor", room.floor}, {"ceiling", room.ceiling}});
+  Json links = Json::array();
+  for (const RoomLink& link : building.links)
+    links.push_back({{"rooms", link.rooms},
+                     {"start", link.start},
+                     {"end", link.end},
+                     {"bottom", link.bottom},
+                     {"top", link.top}});
   return Json{{"format", format_name},
               {"version", format_version},
               {"unit", "m"},
               {"rooms", rooms},
               {"storeys", building.storeys},
-              {"doorways", building.doorways},
+              {"links", links},
               {"stairs", building.stairs}}
              .dump(1) +
          "\n";
@@ -55,7 +62,14 @@ loadBuilding(const std::string& path)
       of_room.at("ceiling").get_to(room.ceiling);
     }
     json.at("storeys").get_to(building.storeys);
-    json.at("doorways").get_to(building.doorways);
+    for (const Json& of_link : json.at("links")) {
+      RoomLink& link = building.links.emplace_back();
+      of_link.at("rooms").get_to(link.rooms);
+      of_link.at("start").get_to(link.start);
+      of_link.at("end").get_to(link.end);
+      of_link.at("bottom").get_to(link.bottom);
+      of_link.at("top").get_to(link.top);
+    }
     json.at("stairs").get_to(building.stairs);
     return building;
   }

@@ -8,7 +8,7 @@
 namespace pcl::sedr::tools {
 
 /** @brief Writes what the stages after pcl_room_segmentation use of a building, as
- * JSON: heights of rooms, storeys, doorways, stairs. */
+ * JSON: heights of rooms, storeys, links, stairs. */
 std::string buildingToJson(const Building& building);
 
 /** @brief Reads the output of buildingToJson(). Throws ToolError on failure. */

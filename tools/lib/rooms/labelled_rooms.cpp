@@ -86,10 +86,8 @@ labelledRooms(const ToolCloud& cloud, double grid_size)
   const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
   RoomFitParameters parameters;
   parameters.cell_size = grid_size;
-  std::string problem;
   std::vector<RoomEvidence> shares =
-      shareOut(PointView(*cloud.points), evidence, numbers, parameters, problem);
-  throwProblem(problem);
+      roomEvidence(PointView(*cloud.points), evidence, numbers, parameters);
   std::vector<LabelledRoom> rooms;
   for (std::size_t r = 0; r < shares.size(); ++r) {
     RoomEvidence& share = shares[r];
@@ -133,7 +131,7 @@ checkScan(const ToolCloud& cloud, bool trust_up)
   const PointView points(*cloud.points);
   pcl::Indices all(cloud.size());
   std::iota(all.begin(), all.end(), 0);
-  const std::string problem = scanProblem(points, all);
+  const std::string problem = scanProblem(points, &all);
   if (!problem.empty())
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
   const UpDoubt doubt = trust_up ? UpDoubt() : doubtOfUp(points, all, {}, 0);

@@ -80,7 +80,7 @@ main(int argc, char** argv)
   }
   for (const std::string& line : summaryOf(fitting.getWarnings()))
     std::cout << "warning: " << line << '\n';
-  giveStoreys(building, *plan); // with doorways and stairs
+  giveStoreys(building, *plan); // with stairs
   // [plan]
 
   // [solid]
@@ -95,7 +95,7 @@ main(int argc, char** argv)
   for (const auto& room : plan->rooms)
     area += room.area();
   std::cout << plan->rooms.size() << " rooms, " << area << " m2, "
-            << plan->doorways.size() << " doorways, solid "
+            << building.links.size() << " links, solid "
             << (extrusion.isClosed() ? "closed" : "open") << '\n';
   std::ofstream file("rooms.ply", std::ios::binary);
   file << pcl::sedr::meshToPly(extrusion.getMesh()) << std::flush;

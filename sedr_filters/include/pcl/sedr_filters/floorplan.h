@@ -38,13 +38,13 @@ struct SlabCurve {
       Eigen::Vector2d::Zero(); ///< on the axis; relief: first height
   double base = 0;             ///< z of the axis or the centre
   Eigen::Vector2d axis =
-      Eigen::Vector2d::UnitX(); ///< unit, in plan; direction of `along`
+      Eigen::Vector2d::UnitX(); ///< unit, in plan; direction of `along`, of a row
   double along = 0;             ///< of an ellipsoid: half extent along `axis`
   double across = 1;            ///< half extent across the axis: the radius
   double up = 1; ///< half extent upwards: the radius if the section is round
 
   double spacing = 1;          ///< of a relief: distance between its heights
-  std::size_t columns = 0;     ///< of a relief: heights in a row, along x
+  std::size_t columns = 0;     ///< of a relief: heights in a row, along the axis
   std::vector<double> heights; ///< of a relief: z values, row by row
 
   /** @brief Returns z at a place in plan. Beside a cylinder or ellipsoid it is `base`,
@@ -69,7 +69,7 @@ struct SlabCurve {
   /** @brief Returns the maximum z. */
   double highest() const;
 
-  /** @brief Returns the number of heights of a relief in a column, along y. */
+  /** @brief Returns the number of heights of a relief in a column, across the axis. */
   std::size_t rows() const { return columns == 0 ? 0 : heights.size() / columns; }
 
   /** @brief Checks whether the cross-section is a circle. */
@@ -85,7 +85,7 @@ struct SlabCurve {
 };
 
 /** @brief Returns the curve rotated by `angle` radians about the vertical axis through
- * the origin, counter-clockwise, then shifted. A relief is only shifted. */
+ * the origin, counter-clockwise, then shifted. */
 SlabCurve moved(SlabCurve curve, double angle, const Eigen::Vector3d& shift);
 
 /** @brief The shares of a plan element's surface that a scan shows; all 0 if not
@@ -282,19 +282,6 @@ struct PlanStorey {
   std::vector<std::uint32_t> rooms; ///< PlanRoom::id, increasing
 };
 
-/** @brief A doorway between two rooms, or from a room out of the building. */
-struct PlanDoorway {
-  std::array<std::uint32_t, 2> rooms{};            ///< ids on its two sides, 0 outside
-  Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in the middle of the wall
-  Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< in the middle of the wall
-  double bottom = 0;                               ///< metres
-  double top = 0;                                  ///< metres
-
-  double width() const { return (end - start).norm(); }
-
-  bool leadsSomewhere() const { return rooms[0] != rooms[1]; }
-};
-
 /** @brief A flight of a stair: its risers in plan, from the foot up. Between two of
  * them lies a tread; the last one leads to a landing or a floor. */
 struct PlanFlight {
@@ -340,7 +327,6 @@ struct PlanStair {
 struct Floorplan {
   std::vector<PlanRoom> rooms;
   std::vector<PlanStorey> storeys{};   ///< from the lowest up; empty: see storeysOf()
-  std::vector<PlanDoorway> doorways{}; ///< those that were found
   std::vector<PlanStair> stairs{};     ///< those that were found
   std::vector<PlanOpening> openings{}; ///< see OpeningDetection
 };
@@ -348,5 +334,9 @@ struct Floorplan {
 /** @brief Returns a room by its id; null if the plan does not have it. */
 const PlanRoom* findRoom(const Floorplan& plan, std::uint32_t id);
 PlanRoom* findRoom(Floorplan& plan, std::uint32_t id);
+
+/** @brief Returns the plan rotated by `angle` radians about the vertical axis through
+ * the origin, counter-clockwise, then shifted. O(elements). */
+Floorplan moved(Floorplan plan, double angle, const Eigen::Vector3d& shift);
 
 } // namespace pcl::sedr

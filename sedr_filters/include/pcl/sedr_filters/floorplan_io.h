@@ -18,7 +18,7 @@ struct PlanDocument {
   double max_wall = Priors().max_wall;  ///< maximum thickness of a wall, metres
 };
 
-/** @brief Writes a floor plan as JSON: {"format": "sedr-floorplan", "version": 1,
+/** @brief Writes a floor plan as JSON: {"format": "sedr-floorplan", "version": 3,
  * "unit": "m", "origin": [x, y, z], "rooms": [...]}. All coordinates are relative to
  * the origin. A room has id, area, perimeter, floor and ceiling (plane a, b, c, d,
  * inliers, residual), boundary, columns and details. A loop is a list of elements:
@@ -29,7 +29,8 @@ struct PlanDocument {
 std::string documentToJson(const PlanDocument& document);
 std::string floorplanToJson(const Floorplan& plan);
 
-/** @brief Reads what documentToJson() wrote.
+/** @brief Reads what documentToJson() wrote, now or earlier: doorways of versions 1 and
+ * 2 that are none of the openings become openings of unknown kind.
  *
  * The following are refused:
  * - coordinates beyond 1e6 m;

@@ -15,7 +15,7 @@ namespace pcl::sedr {
  * solid and IFC are made from the changed plan, without the scan.
  *
  * Each call returns false if it cannot be done; the plan is then as before, and
- * getErrorMessage() tells why. Openings, doorways, stairs and storeys follow: what lost
+ * getErrorMessage() tells why. Openings, stairs and storeys follow: what lost
  * a room leads outside, and what was in a removed wall goes. Walls are numbered from 1,
  * as in drawings ("3.12" is wall 12 of room 3). Lengths in metres. O(elements squared).
  *

@@ -51,12 +51,8 @@ std::vector<PlanStorey> storeysOf(const Floorplan& plan);
 std::map<std::uint32_t, std::uint32_t> storeyOfRooms(const Floorplan& plan);
 
 /** @brief Returns the part of a plan that belongs to a storey: its rooms, and the
- * doorways and stairs that touch one of them. */
+ * openings and stairs that touch one of them. */
 Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);
-
-/** @brief Returns the doorways of a plan that are none of its openings: their middle is
- * not beside one, or at other heights. */
-std::vector<PlanDoorway> otherDoorways(const Floorplan& plan);
 
 /** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);

@@ -58,6 +58,13 @@ struct OpeningLeaf {
 /** @brief Returns the leaves of an opening whose hinge is known. */
 std::vector<OpeningLeaf> leavesOf(const PlanOpening& opening);
 
+/** @brief Checks whether an opening is at a place in plan: beside its width, less than
+ * 0.5 m off the middle of its wall, at heights that overlap its own. */
+bool isAt(const PlanOpening& opening,
+          const Eigen::Vector2d& place,
+          double bottom,
+          double top);
+
 /** @brief Returns the name of a kind in files: "door". */
 const char* nameOf(OpeningKind kind);
 

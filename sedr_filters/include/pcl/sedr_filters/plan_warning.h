@@ -28,6 +28,7 @@ enum class WarningKind {
   LeftOut,       ///< m2; reason
   Hidden,        ///< m2 unseen, all; m of outline unseen
   Open,          ///< m of outline without wall or opening
+  NoOpening,     ///< m wide, high; the other room it leads to
   FilledIn,      ///< % of its walls not measured, inferred, unseen
   GuessedWall,   ///< m, % inferred, unseen
   CeilingApart,  ///< m2

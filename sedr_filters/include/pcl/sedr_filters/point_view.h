@@ -70,18 +70,11 @@ namespace pcl::sedr {
  * rows of bytes, are delivered in pieces on request. */
 class RowSource {
 public:
-  /** @brief A function to process the rows [begin, end) of a piece: each row once, in
-   * any order, from several threads at once. */
-  using SeeRun = std::function<void(std::size_t begin, std::size_t end)>;
-
   /** @brief Consecutive rows; valid until the next piece. */
   struct Piece {
     const std::uint8_t* rows = nullptr;
     std::size_t first = 0; ///< index of the first row in the whole cloud
     std::size_t size = 0;  ///< number of rows
-    /// Optional; valid until `see` returns. Readers may call it for all rows, run by
-    /// run, while they have them at hand, so the source need not read them again.
-    SeeRun beside = {};
   };
 
   virtual ~RowSource() = default;

@@ -59,6 +59,34 @@ operator!=(const Origin& a, const Origin& b)
   return !(a == b);
 }
 
+/** @brief A level frame of a building's own: what is found on grids in it does not
+ * depend on where and how a scan lies. A rigid transformation from the frame of the
+ * scan; metres. See findBuildingFrame(). */
+struct BuildingFrame {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< the place that becomes 0
+
+  Eigen::Vector3d toBuilding(const Eigen::Vector3d& p) const
+  {
+    return rotation * (p - origin);
+  }
+
+  Eigen::Vector3d toScan(const Eigen::Vector3d& p) const
+  {
+    return rotation.transpose() * p + origin;
+  }
+
+  /** @brief Returns the transformation from this frame to another one of the same scan.
+   */
+  BuildingFrame to(const BuildingFrame& other) const
+  {
+    return {other.rotation * rotation.transpose(), toBuilding(other.origin)};
+  }
+
+  /** @brief Returns the angle about z by which a level frame turns plans, radians. */
+  double yaw() const { return std::atan2(rotation(1, 0), rotation(0, 0)); }
+};
+
 /** @brief The rotation that makes a tilted scan level. Its centre `about` is a place of
  * the scan, so points far from the origin do not move far; metres. */
 struct Levelling {
@@ -79,6 +107,9 @@ struct Levelling {
   {
     return rotation.transpose() * (p - about) + about;
   }
+
+  /** @brief Returns the same as a rigid transformation. */
+  BuildingFrame frame() const { return {rotation, back(Eigen::Vector3d::Zero())}; }
 
   /** @brief Returns the angle between the scan's vertical and z, radians. */
   double angle() const { return std::acos(std::clamp(rotation(2, 2), -1.0, 1.0)); }

@@ -3,8 +3,6 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <vector>
 
@@ -36,14 +34,5 @@ double tiltReach(const PlanRoom& room);
 
 /** @brief Moves the ends of moved elements and their neighbours to where they meet. */
 void rejoin(PlanLoop& loop, const std::vector<bool>& is_moved);
-
-/** @brief A straight wall face of a scan, tilted or vertical. */
-struct TiltedFace {
-  Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in plan, at height `head`
-  Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< in plan, at height `head`
-  double run = 0;  ///< metres to the left for each metre up: tangent of the tilt
-  double low = 0;  ///< z of its foot
-  double head = 0; ///< z of its top
-};
 
 } // namespace pcl::sedr

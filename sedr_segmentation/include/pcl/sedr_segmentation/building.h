@@ -3,10 +3,13 @@
 
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -23,6 +26,7 @@ struct BuildingParameters {
   double minimum_enclosure = 0.15; ///< share of a room's outline with walls
   double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
   unsigned threads = 0;     ///< 0: all processors
+  bool own_frame = false;   ///< whether the grid lies in the building's own frame
 };
 
 /** @brief A profile of a room: the ends of its gap below and above, metres. */
@@ -69,12 +73,25 @@ struct LeftOut {
   Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< a position in it
 };
 
-/** @brief A building: rooms, storeys, doorways and stairs of a scan. */
+/** @brief A link of two rooms of a storey: where one walks from one to the other. */
+struct RoomLink {
+  std::array<std::uint32_t, 2> rooms{};            ///< ids, increasing
+  Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< at one jamb
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< at the other
+  double bottom = 0;                               ///< metres
+  double top = 0;                                  ///< metres
+
+  double width() const { return (end - start).norm(); }
+  double height() const { return top - bottom; }
+};
+
+/** @brief A building: rooms, storeys, links and stairs of a scan. */
 struct Building {
-  CellGrid grid{0}; ///< of the profiles of its rooms; of size 0 where there are none
+  CellGrid grid{0};    ///< of the profiles of its rooms; of size 0 where there are none
+  BuildingFrame frame; ///< in which the grid lies; all else is in that of the scan
   std::vector<BuildingRoom> rooms;
   std::vector<PlanStorey> storeys; ///< from the lowest up
-  std::vector<PlanDoorway> doorways;
+  std::vector<RoomLink> links;     ///< on a storey; between two there are stairs
   std::vector<PlanStair> stairs;
   std::vector<LeftOut> left_out; ///< largest first
   double seen_area = 0;          ///< area of all free space that was seen, in plan, m2
@@ -83,6 +100,13 @@ struct Building {
    * floor (2) or neither (0), see StructureLabel. */
   std::vector<std::uint32_t> room_of;
   std::vector<std::uint32_t> label_of;
+
+  /** @brief Returns the middle of a cell, in the frame of the scan. */
+  Eigen::Vector2d placeOf(Cell cell) const
+  {
+    const Eigen::Vector2d at = grid.centre(cell);
+    return frame.toScan({at.x(), at.y(), 0}).head<2>();
+  }
 };
 
 /** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope
@@ -103,8 +127,14 @@ Building findBuilding(const PointView& points,
                       std::string& problem,
                       const std::vector<std::uint8_t>& behind = {});
 
-/** @brief Adds to a plan the storeys, doorways and stairs of a building, for the rooms
- * in the plan. Rooms are matched by their ids. */
+/** @brief Adds to a plan the storeys and stairs of a building, for the rooms in the
+ * plan. Rooms are matched by their ids. */
 void giveStoreys(const Building& building, Floorplan& plan);
+
+/** @brief Returns a warning about each link of two rooms of a plan that no opening
+ * between them is at, see isAt(): the plan has a wall there, or an opening that leads
+ * elsewhere. O(links times openings). */
+std::vector<PlanWarning> linksWithoutOpening(const Building& building,
+                                             const Floorplan& plan);
 
 } // namespace pcl::sedr

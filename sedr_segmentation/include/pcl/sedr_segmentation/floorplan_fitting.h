@@ -7,7 +7,6 @@
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 #include <pcl/sedr_segmentation/wall_noise.h>
 
 #include <pcl/pcl_base.h>
@@ -54,6 +53,12 @@ struct RoomFitParameters {
 struct HiddenCells {
   std::vector<Eigen::Vector3f> ceiling;
   std::vector<Eigen::Vector3f> floor;
+};
+
+/** @brief The owner of a point: the room whose air the surface there bounds. */
+struct PointOwner {
+  std::uint32_t room = 0; ///< number of the room, 0: none
+  bool beyond = false;    ///< farther away than walls are: seen behind one
 };
 
 /** @brief Boundary points to which a loop of a room was fitted (paper, Figure 7a). */
@@ -122,6 +127,10 @@ public:
     hidden_ = std::move(hidden);
   }
 
+  /** @brief Sets the owner of every point of the cloud. Empty (default): the room with
+   * the nearest ceiling at the heights of the point. */
+  void setOwners(std::vector<sedr::PointOwner> owners) { owners_ = std::move(owners); }
+
   /** @brief Sets the scan from which the input cloud was thinned, of any point type.
    * The plan found on the input cloud is then fitted to the scan near each element,
    * which is an order of magnitude more accurate. Null (default): no such fit.
@@ -167,18 +176,6 @@ public:
 
   /** @brief Returns the indices of the raw points to use; null: all. */
   IndicesConstPtr getRawIndices() const { return raw_indices_; }
-
-  /** @brief Sets the walls of a scan with tilted ones, from tiltedFaces(). The input
-   * cloud then has them vertical, each point moved by withVerticalWalls(), and
-   * `scanned` has its points where they were scanned; so has the raw cloud. Default: no
-   * wall is tilted.
-   */
-  void setTiltedWalls(std::vector<sedr::TiltedFace> faces,
-                      typename pcl::PointCloud<PointT>::ConstPtr scanned)
-  {
-    faces_ = std::move(faces);
-    scanned_ = std::move(scanned);
-  }
 
   /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
@@ -243,10 +240,9 @@ private:
   IndicesConstPtr walls_;
   std::vector<std::uint32_t> rooms_;
   std::map<std::uint32_t, sedr::HiddenCells> hidden_;
+  std::vector<sedr::PointOwner> owners_;
   std::function<sedr::PointView()> raw_; ///< returns the current raw cloud
   IndicesConstPtr raw_indices_;
-  std::vector<sedr::TiltedFace> faces_;
-  typename pcl::PointCloud<PointT>::ConstPtr scanned_;
   sedr::RoomFitParameters parameters_;
   std::vector<sedr::PlanWarning> warnings_;
   std::vector<sedr::FittedBoundary> boundaries_;

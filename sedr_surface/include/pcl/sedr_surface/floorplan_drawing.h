@@ -40,7 +40,7 @@ struct DrawingSettings {
  * ceiling is 1.5 and 2.3 m above the floor.
  *
  * Texts give number, area and height of rooms, lengths of walls, radii, sizes of
- * columns and doorways, heights of details, eaves and ridges. Texts overlap neither
+ * columns and openings, heights of details, eaves and ridges. Texts overlap neither
  * each other nor walls; those without space are left out. Chains of dimensions, by wall
  * and overall, surround the plan. A strip holds title, storey, scale, scale bar and
  * north arrow. A plan with oblique walls is rotated to the sheet's axes.

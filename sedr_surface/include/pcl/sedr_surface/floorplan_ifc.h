@@ -55,7 +55,7 @@ struct IfcModel {
  * A wall with one face seen has the assumed thickness, which its Pset_SEDR states. The
  * x axis of a wall's placement runs along the wall. Floors and the uppermost ceilings
  * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
- * IfcCovering, narrow ones IfcBeam. Doorways are openings in their walls and deeper
+ * IfcCovering, narrow ones IfcBeam. Openings are cut in their walls and deeper
  * than these; niches are recesses. Stairs are IfcStair with their flights. Spaces refer
  * to the walls and slabs around them (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds
  * residuals, shares and numbers of points.

@@ -8,13 +8,15 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl {
 namespace sedr {
 
-/** @brief A scan that was thinned elsewhere, e.g. in parts on several machines. */
+/** @brief A scan that was thinned in the frame of its building; elsewhere, e.g. in
+ * parts on several machines. */
 struct ThinnedScan {
   using CloudPtr = StructureChain::Cloud::Ptr;
 
@@ -22,11 +24,17 @@ struct ThinnedScan {
   /** Means of the voxels, as ParallelVoxelGrid returns them. */
   CloudPtr points{new StructureChain::Cloud};
   std::size_t strays = 0; ///< ParallelVoxelGrid::getStrayPoints()
-  /** Every k-th point of the scan, with k chosen so that at most 5 million remain. */
+  /** Every k-th point of the scan, with k chosen so that at most 5 million remain, in
+   * the frame of the scan. */
   std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt{
       new std::vector<Eigen::Vector3f>};
   std::string problem; ///< what is wrong with the scan, or empty
 };
+
+/** @brief A function that finds the frame of a building from ThinnedScan::excerpt; none
+ * if the scan is refused. */
+using FindFrame =
+    std::function<std::optional<BuildingFrame>(const std::vector<Eigen::Vector3f>&)>;
 
 } // namespace sedr
 
@@ -61,9 +69,11 @@ public:
   }
 
   /** @brief Sets a function that thins the scan with the leaf of getVoxelGrid(), in
-   * place of input cloud and source. It is called once per run. Null (default): this
-   * object thins. */
-  void setThinning(const std::function<sedr::ThinnedScan()>& thinning)
+   * place of input cloud and source. It is called once per run: it takes the excerpt,
+   * asks for the frame, and thins the points moved to it. Null (default): this object
+   * thins. */
+  void
+  setThinning(const std::function<sedr::ThinnedScan(const sedr::FindFrame&)>& thinning)
   {
     thinning_ = thinning;
   }
@@ -193,8 +203,12 @@ private:
 
   std::shared_ptr<const sedr::RowSource> sourceOf(PointCloud& chosen) const;
 
-  /** @brief Thins the scan, by the function of setThinning() or here. */
-  sedr::ThinnedScan thinned();
+  /** @brief Thins the scan here. */
+  sedr::ThinnedScan thinHere(const sedr::FindFrame& find_frame);
+
+  /** @brief Finds the frame of the building. */
+  std::optional<sedr::BuildingFrame>
+  findFrame(const std::vector<Eigen::Vector3f>& excerpt);
 
   /** @brief As above; checks the settings before and the result after. */
   bool thin(sedr::ThinnedScan& scan);
@@ -203,7 +217,7 @@ private:
    * if the scanner positions are known. */
   void leaveOutMirrored(sedr::ThinnedScan& scan);
 
-  std::function<sedr::ThinnedScan()> thinning_;
+  std::function<sedr::ThinnedScan(const sedr::FindFrame&)> thinning_;
   sedr::ScanPositions positions_;
   std::shared_ptr<const sedr::RowSource> source_;
   ParallelVoxelGrid<PointT> voxel_grid_;

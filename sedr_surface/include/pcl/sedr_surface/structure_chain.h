@@ -11,6 +11,7 @@
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
+#include <pcl/sedr_surface/coverage.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
@@ -112,7 +113,18 @@ public:
   void setPriors(const Priors& priors);
   const Priors& getPriors() const { return priors_; }
 
-  /** @brief Runs all stages but the mesh.
+  /** @brief Checks a scan and finds the frame of its building, see `frame`. Only for
+   * those who thin the scan in that frame: findStructure() then takes points in it.
+   * @param thinned points of the scan; a sample suffices
+   * @param positions of the scanners, if known
+   * @return false if it is no scan to work with; see failed_stage and problem */
+  bool findFrame(const Cloud::ConstPtr& thinned, const ScanPositions& positions = {});
+
+  /** @brief Runs all stages but the mesh. After findFrame() they work in the frame of
+   * the building, and the results are turned back; else in that of the scan, made
+   * level, as the cells of the stages follow those of thinning.
+   * @param thinned in the frame of the scan, or after findFrame() in that of the
+   * building
    * @return false if a stage found nothing; see failed_stage and problem */
   bool findStructure(const Cloud::ConstPtr& thinned);
 
@@ -125,9 +137,12 @@ public:
 
   // Results of the last run.
   /** @brief The rotation that levelled a scan tilted by 0.3 to 3 degrees; empty
-   * otherwise. All results of the chain are in the level frame. */
+   * otherwise. All results of the chain are in the level frame, but for getBuilding().
+   */
   std::optional<Levelling> levelling;
-  Cloud::Ptr cloud;                  ///< thinned points, without reflections
+  BuildingFrame frame; ///< from the scan to the building, see findBuildingFrame()
+  Coverage coverage;   ///< of what was seen by the plan
+  Cloud::Ptr cloud;    ///< thinned points, without reflections
   std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none
   std::shared_ptr<Floorplan> plan;
@@ -138,7 +153,14 @@ public:
   std::string failed_stage;
   std::string problem;
 
-  /** @brief Returns the building from room segmentation; room r + 1 is the r-th. */
+  /** @brief Returns the frame of the results in that of the building. */
+  BuildingFrame levelFrame() const
+  {
+    return levelling ? levelling->frame() : BuildingFrame();
+  }
+
+  /** @brief Returns the building from room segmentation, in its own frame; room r + 1
+   * is the r-th. */
   const Building& getBuilding() const { return room_segmentation.getBuilding(); }
 
   /** @brief Moves a solid of the chain to the frame of the scan, unless
@@ -157,12 +179,16 @@ public:
 private:
   friend class ChainRun;
 
+  void setCloud(const Cloud::ConstPtr& thinned);
   void setCells(double size);
   void enlargeCells(double size);
   void restoreCells();
 
   Priors priors_;
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
+  bool is_in_frame_ = false; ///< the next cloud is in the frame of the building
+  bool seems_in_feet_ = false;
+  std::string up_doubt_; ///< why another direction than z may be up
 };
 
 } // namespace pcl::sedr

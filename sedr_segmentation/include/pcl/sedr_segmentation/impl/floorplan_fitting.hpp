@@ -20,10 +20,9 @@ struct PlanInput {
   const pcl::IndicesConstPtr& walls;
   std::vector<std::uint32_t> rooms; ///< of each point; empty: one room
   const std::map<std::uint32_t, HiddenCells>& hidden; ///< of each room
+  const std::vector<PointOwner>& owners;   ///< of each point; empty: to be found
   PointView raw;                           ///< points before thinning, or empty
   const pcl::IndicesConstPtr& raw_indices; ///< null: all
-  const std::vector<TiltedFace>& faces;    ///< of tilted walls, and vertical ones
-  PointView scanned; ///< the points with tilted walls, or empty without
 };
 
 /** @brief Runs FloorplanFitting on the coordinates of a cloud.
@@ -70,11 +69,16 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
                                         " points, but rooms of " +
                                         std::to_string(rooms_.size()) + " were set");
   }
+  if (!owners_.empty() && owners_.size() != input_->size()) {
+    this->deinitCompute();
+    return fail("FloorplanFitting", "the cloud has " + std::to_string(input_->size()) +
+                                        " points, but owners of " +
+                                        std::to_string(owners_.size()) + " were set");
+  }
   const std::string problem = sedr::fitFloorplan(
       {sedr::PointView(*input_), *indices_, ceiling_, floor_, details_, walls_,
-       rooms_.empty() ? sedr::roomsOf(*input_) : rooms_, hidden_,
-       raw_ ? raw_() : sedr::PointView(), raw_indices_, faces_,
-       scanned_ ? sedr::PointView(*scanned_) : sedr::PointView()},
+       rooms_.empty() ? sedr::roomsOf(*input_) : rooms_, hidden_, owners_,
+       raw_ ? raw_() : sedr::PointView(), raw_indices_},
       parameters_, plan, warnings_, boundaries_, noise_);
   this->deinitCompute();
   return problem.empty() || fail("FloorplanFitting", problem);

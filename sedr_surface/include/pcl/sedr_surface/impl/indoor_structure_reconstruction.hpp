@@ -8,6 +8,7 @@
 #include <pcl/common/io.h>
 
 #include <chrono>
+#include <memory>
 
 namespace pcl {
 namespace sedr {
@@ -20,13 +21,21 @@ std::string voxelProblem(double voxel_size, double grid_size);
  * scan. */
 std::size_t excerptStep(std::size_t points);
 
-/** @brief Thins a source by `thin` and collects every k-th of its points in the same
- * pass.
+/** @brief Collects every k-th point of a scan.
  * @return why the scan is invalid, a sentence; empty if valid */
-std::string thinWithExcerpt(const RowSource& source,
-                            unsigned threads,
-                            const std::function<void(const RowSource&)>& thin,
-                            std::shared_ptr<std::vector<Eigen::Vector3f>>& excerpt);
+std::string readExcerpt(const RowSource& source,
+                        unsigned threads,
+                        std::vector<Eigen::Vector3f>& excerpt);
+
+/** @brief Returns the coordinates of a scan in another frame, see MovedRows. */
+std::unique_ptr<const RowSource>
+movedRows(const RowSource& source, const BuildingFrame& frame, unsigned threads);
+
+/** @brief Moves an excerpt and scanner positions to another frame. */
+void moveScan(const BuildingFrame& frame,
+              unsigned threads,
+              std::vector<Eigen::Vector3f>& excerpt,
+              ScanPositions& positions);
 
 } // namespace sedr
 
@@ -79,21 +88,43 @@ IndoorStructureReconstruction<PointT>::sourceOf(PointCloud& chosen) const
 }
 
 template <typename PointT>
-sedr::ThinnedScan
-IndoorStructureReconstruction<PointT>::thinned()
+std::optional<sedr::BuildingFrame>
+IndoorStructureReconstruction<PointT>::findFrame(
+    const std::vector<Eigen::Vector3f>& excerpt)
 {
-  if (thinning_)
-    return thinning_();
+  ParallelVoxelGrid<PointXYZ> grid;
+  grid.setLeafSize(getVoxelSize(), getVoxelSize(), getVoxelSize());
+  grid.setRemoveStrays(voxel_grid_.getRemoveStrays());
+  grid.setNumberOfThreads(threads_);
+  sedr::StructureChain::Cloud::Ptr cloud(new sedr::StructureChain::Cloud);
+  cloud->resize(excerpt.size());
+  for (std::size_t i = 0; i < excerpt.size(); ++i)
+    (*cloud)[i].getVector3fMap() = excerpt[i];
+  grid.setInputCloud(cloud);
+  sedr::StructureChain::Cloud::Ptr sample(new sedr::StructureChain::Cloud);
+  grid.filter(*sample);
+  if (!chain_.findFrame(sample, positions_))
+    return {};
+  return chain_.frame;
+}
+
+template <typename PointT>
+sedr::ThinnedScan
+IndoorStructureReconstruction<PointT>::thinHere(const sedr::FindFrame& find_frame)
+{
   PointCloud chosen;
   PointCloud means;
   const auto source = sourceOf(chosen);
   sedr::ThinnedScan scan;
-  scan.problem = sedr::thinWithExcerpt(
-      *source, threads_,
-      [&](const sedr::RowSource& rows) { voxel_grid_.filter(rows, means); },
-      scan.excerpt);
-  pcl::copyPointCloud(means, *scan.points);
   scan.size = source->size();
+  scan.problem = sedr::readExcerpt(*source, threads_, *scan.excerpt);
+  if (!scan.problem.empty())
+    return scan;
+  const auto frame = find_frame(*scan.excerpt);
+  if (!frame)
+    return scan;
+  voxel_grid_.filter(*sedr::movedRows(*source, *frame, threads_), means);
+  pcl::copyPointCloud(means, *scan.points);
   scan.strays = voxel_grid_.getStrayPoints();
   return scan;
 }
@@ -113,9 +144,15 @@ IndoorStructureReconstruction<PointT>::thin(sedr::ThinnedScan& scan)
     return refuseInput(problem);
   if (chain_.on_stage)
     chain_.on_stage("ParallelVoxelGrid");
-  scan = thinned();
+  const sedr::FindFrame find_frame = [this](const auto& excerpt) {
+    return findFrame(excerpt);
+  };
+  scan = thinning_ ? thinning_(find_frame) : thinHere(find_frame);
   if (!scan.problem.empty())
     return refuseInput(scan.problem);
+  if (!chain_.problem.empty())
+    return fail("IndoorStructureReconstruction",
+                chain_.failed_stage + ": " + chain_.problem);
   if (!thinning_ && !voxel_grid_.getErrorMessage().empty()) {
     chain_.failed_stage = "ParallelVoxelGrid";
     return fail("IndoorStructureReconstruction",
@@ -134,13 +171,15 @@ template <typename PointT>
 void
 IndoorStructureReconstruction<PointT>::leaveOutMirrored(sedr::ThinnedScan& scan)
 {
-  if (positions_.empty())
+  sedr::ScanPositions positions = positions_;
+  sedr::moveScan(chain_.frame, threads_, *scan.excerpt, positions);
+  if (positions.empty())
     return;
   const auto start = std::chrono::steady_clock::now();
   if (chain_.on_stage)
     chain_.on_stage("MirroredPoints");
   const std::size_t before = scan.points->size();
-  chain_.leaveOutMirrored(positions_, sedr::excerptStep(scan.size), *scan.points,
+  chain_.leaveOutMirrored(positions, sedr::excerptStep(scan.size), *scan.points,
                           *scan.excerpt);
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;

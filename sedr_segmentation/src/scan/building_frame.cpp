@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/building_frame.h>
+
+#include "patch_normals.h"
+#include "sedr_filters/src/base/parallel_for.h"
+#include <pcl/sedr_filters/priors.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double patch_size = 0.4; // metres
+constexpr double quarter = M_PI / 2;
+constexpr double oblique = 0.5;       // radians between the walls and the axes
+constexpr double same_surface = 0.02; // standard deviation of what is one, metres
+constexpr double agreeing = 0.03;     // likewise of walls in one line
+
+Eigen::Matrix3d
+turnBy(double angle)
+{
+  return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/** @brief What is known of the points of a scan, in the level frame. */
+struct FramePoints {
+  std::vector<double> normals;          ///< directions of walls, radians
+  std::vector<double> slabs;            ///< heights
+  std::vector<Eigen::Vector2d> upright; ///< points of no level surface
+  std::vector<Eigen::Vector2d> all;
+};
+
+FramePoints
+framePoints(const PointView& points,
+            const std::vector<int>& indices,
+            const Eigen::Matrix3d& level,
+            unsigned threads)
+{
+  const double steepest = std::sin(radians(5));
+  const auto keyOf = [](const Eigen::Vector3d& p) {
+    std::int64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      key = (key << 21) + static_cast<std::int64_t>(std::floor(p[axis] / patch_size));
+    return key;
+  };
+  std::unordered_map<std::int64_t, Eigen::Vector3d> normals;
+  for (const PlanePatch& patch : planesOf(points, indices, level, patch_size, threads))
+    normals[keyOf(patch.middle)] = patch.normal;
+  FramePoints found;
+  for (const int i : indices) {
+    if (!points.isFinite(static_cast<std::size_t>(i)))
+      continue;
+    const Eigen::Vector3d p =
+        level * points[static_cast<std::size_t>(i)].cast<double>();
+    const auto patch = normals.find(keyOf(p));
+    const bool is_plane = patch != normals.end();
+    if (is_plane && std::abs(patch->second.z()) < steepest)
+      found.normals.push_back(std::atan2(patch->second.y(), patch->second.x()));
+    if (is_plane && patch->second.head<2>().norm() < steepest)
+      found.slabs.push_back(p.z());
+    else
+      found.upright.emplace_back(p.head<2>());
+    found.all.emplace_back(p.head<2>());
+  }
+  constexpr std::size_t enough = 200000; // points that tell the walls
+  const std::size_t step = found.upright.size() / enough + 1;
+  for (std::size_t k = 0; k * step < found.upright.size(); ++k)
+    found.upright[k] = found.upright[k * step];
+  found.upright.resize((found.upright.size() + step - 1) / step);
+  return found;
+}
+
+/** @brief Counts of values, smoothed by a Gaussian. */
+struct SmoothCounts {
+  double first = 0;
+  double bin = 0;
+  std::vector<double> counts;
+
+  SmoothCounts(const std::vector<double>& values, double sigma)
+      : bin(sigma / 4)
+  {
+    constexpr int reach = 12; // bins
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    first = *low - (reach + 1) * bin;
+    std::vector<double> raw(
+        static_cast<std::size_t>((*high - first) / bin) + 2 * reach + 2, 0);
+    for (const double value : values) { // shared by the two bins around it
+      const double at = (value - first) / bin;
+      const auto k = static_cast<std::size_t>(at);
+      raw[k] += 1 - (at - static_cast<double>(k));
+      raw[k + 1] += at - static_cast<double>(k);
+    }
+    counts.assign(raw.size(), 0);
+    for (std::size_t k = reach; k + reach < raw.size(); ++k)
+      if (raw[k] > 0)
+        for (int d = -reach; d <= reach; ++d)
+          counts[k + static_cast<std::size_t>(d + reach) - reach] +=
+              raw[k] * std::exp(-d * d / 32.0);
+  }
+
+  /** @brief Subtracts what there is around each of them, and what is below 0. */
+  void keepPeaks()
+  {
+    constexpr int reach = 40; // bins
+    const auto n = static_cast<int>(counts.size());
+    std::vector<double> sums(counts.size() + 1, 0);
+    std::partial_sum(counts.begin(), counts.end(), sums.begin() + 1);
+    for (int k = 0; k < n; ++k) {
+      const double around = sums[static_cast<std::size_t>(std::min(n, k + reach + 1))] -
+                            sums[static_cast<std::size_t>(std::max(0, k - reach))];
+      double& count = counts[static_cast<std::size_t>(k)];
+      count = std::max(0.0, count - around / (2 * reach + 1));
+    }
+  }
+};
+
+/** @brief Returns the coordinates along an axis of what is not level, after a turn. */
+std::vector<double>
+offsetsAlong(const FramePoints& points, double turn, int axis)
+{
+  const Eigen::Vector2d direction =
+      axis == 0 ? Eigen::Vector2d(std::cos(turn), -std::sin(turn))
+                : Eigen::Vector2d(std::sin(turn), std::cos(turn));
+  std::vector<double> offsets(points.upright.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    offsets[i] = direction.dot(points.upright[i]);
+  return offsets;
+}
+
+/** @brief Returns how much lies on common lines along the axes after a turn. */
+double
+agreement(const FramePoints& points, double turn)
+{
+  double sum = 0;
+  for (const int axis : {0, 1}) {
+    SmoothCounts counts(offsetsAlong(points, turn, axis), agreeing);
+    counts.keepPeaks();
+    sum += std::inner_product(counts.counts.begin(), counts.counts.end(),
+                              counts.counts.begin(), 0.0);
+  }
+  return sum;
+}
+
+/** @brief Returns the turn after which most wall faces along the axes. */
+double
+mainTurn(const FramePoints& points, unsigned threads)
+{
+  std::vector<double> angles; // three quarters, as values near the ends are neighbours
+  for (const double normal : points.normals)
+    for (int k = 0; k < 3; ++k)
+      angles.push_back(std::fmod(normal + 2 * M_PI, quarter) + k * quarter);
+  const SmoothCounts counts(angles, radians(1));
+  const auto inside = [&](std::size_t k) {
+    const double angle = counts.first + counts.bin * static_cast<double>(k);
+    return angle >= quarter && angle < 2 * quarter;
+  };
+  std::size_t best = counts.counts.size();
+  for (std::size_t k = 0; k < counts.counts.size(); ++k)
+    if (inside(k) &&
+        (best == counts.counts.size() || counts.counts[k] > counts.counts[best]))
+      best = k;
+  double turn = -(counts.first + counts.bin * static_cast<double>(best));
+  constexpr int reach = 8; // steps
+  for (double step = radians(0.15); step > radians(0.0005); step /= 5) {
+    std::vector<double> sums(2 * reach + 1);
+    parallelFor(sums.size(), 1, threads, [&](std::size_t k) {
+      sums[k] = agreement(points, turn + (static_cast<double>(k) - reach) * step);
+    });
+    const auto most = std::max_element(sums.begin(), sums.end());
+    turn += (static_cast<double>(most - sums.begin()) - reach) * step;
+  }
+  return turn;
+}
+
+/** @brief Returns the turn by a multiple of 90 degrees after which the building extends
+ * most along x, and farther to positive x than to negative x. Both count together, so
+ * that one decides where the other is in doubt. */
+double
+canonicalQuarter(const FramePoints& points, double turn)
+{
+  constexpr double farthest = 1.5; // of the usual distance from the middle
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& p : points.all)
+    middle += p / static_cast<double>(points.all.size());
+  Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& p : points.all)
+    square += (p - middle) * (p - middle).transpose();
+  const double usual =
+      std::sqrt(square.trace() / static_cast<double>(points.all.size()));
+  Eigen::Vector2d lean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& p : points.all) {
+    const Eigen::Vector2d off = (p - middle) / usual;
+    const double far = off.norm();
+    lean += off * std::pow(std::min(far, farthest), 3) / std::max(far, 1e-9) /
+            static_cast<double>(points.all.size());
+  }
+  double best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Rotation2Dd to_axes(turn + k * quarter);
+    const Eigen::Matrix2d axes = to_axes * square * to_axes.inverse();
+    const Eigen::Vector2d leaning = to_axes * lean;
+    const double stretch = (axes(0, 0) - axes(1, 1)) / axes.trace();
+    if (const double score = stretch + leaning.x() + leaning.y() / 2; score > most) {
+      most = score;
+      best = k * quarter;
+    }
+  }
+  return best;
+}
+
+/** @brief Returns the offset of the largest of some surfaces, metres.
+ * @param preference of the first one to the last, by so much of its size: of two alike
+ * it is always the same that counts */
+double
+largestOf(const std::vector<double>& offsets, double preference)
+{
+  if (offsets.empty())
+    return 0;
+  SmoothCounts peaks(offsets, same_surface);
+  peaks.keepPeaks();
+  double most = -1;
+  double largest = 0;
+  for (std::size_t k = 0; k < peaks.counts.size(); ++k) {
+    const double share =
+        static_cast<double>(k) / static_cast<double>(peaks.counts.size());
+    if (const double count = peaks.counts[k] * (1 - preference * share); count > most) {
+      most = count;
+      largest = peaks.first + peaks.bin * static_cast<double>(k);
+    }
+  }
+  for (int round = 0; round < 5; ++round) { // its mean
+    double sum = 0;
+    double count = 0;
+    for (const double offset : offsets)
+      if (std::abs(offset - largest) < 1.5 * same_surface) {
+        sum += offset;
+        ++count;
+      }
+    largest = sum / std::max(1.0, count);
+  }
+  return largest;
+}
+
+} // namespace
+
+BuildingFrame
+findBuildingFrame(const PointView& points,
+                  const std::vector<int>& given,
+                  unsigned threads,
+                  const Eigen::Matrix3d& level,
+                  double cell)
+{
+  std::vector<int> indices = given;
+  if (given.empty()) {
+    indices.resize(points.size());
+    std::iota(indices.begin(), indices.end(), 0);
+  }
+  const FramePoints found = framePoints(points, indices, level, threads);
+  BuildingFrame frame;
+  frame.rotation = level;
+  if (found.normals.empty())
+    return frame;
+  double turn = mainTurn(found, threads);
+  turn += canonicalQuarter(found, turn);
+  const Eigen::Matrix3d to_walls = turnBy(turn) * level;
+  const Eigen::Vector3d corner(largestOf(offsetsAlong(found, turn, 0), 0.3),
+                               largestOf(offsetsAlong(found, turn, 1), 0.3),
+                               largestOf(found.slabs, 0.8));
+  frame.rotation = turnBy(oblique) * to_walls;
+  frame.origin = to_walls.transpose() * (corner - Eigen::Vector3d::Constant(cell / 2));
+  return frame;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulator/mesh/scene_mesh.h"
+#include "simulator/scan/scan.h"
+#include "simulator/scene/scene.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl::sedr::sim {
+
+/** @brief Returns a scan of a scene. */
+inline pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+cloudOf(const Scene& scene, const ScanOptions& options = {})
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const auto& p : scan(scene, options).points)
+    cloud->emplace_back(p.x, p.y, p.z);
+  return cloud;
+}
+
+/** @brief Returns faces of a scene in the frame of its scan.
+ * @param wanted called with the mesh and the number of a triangle */
+template <typename Wanted>
+std::shared_ptr<const TriangleMesh>
+facesOf(const Scene& scene, const Wanted& wanted)
+{
+  const SceneMesh all = meshOf(scene);
+  std::vector<bool> keep;
+  for (std::size_t t = 0; t < all.surfaces.size(); ++t)
+    keep.push_back(wanted(all, t));
+  auto mesh = std::make_shared<TriangleMesh>(all.mesh);
+  mesh->keepTriangles(keep);
+  mesh->removeUnusedVertices();
+  for (Eigen::Vector3d& vertex : mesh->vertices)
+    vertex = placed(scene.placement, vertex);
+  return mesh;
+}
+
+/** @brief Returns the closed structural mesh of a scene, in the frame of its scan. */
+inline std::shared_ptr<const TriangleMesh>
+truthInScan(const Scene& scene)
+{
+  return facesOf(scene, [](const SceneMesh& all, std::size_t t) {
+    return all.surfaces[t] == Surface::Structure || all.surfaces[t] == Surface::Gap;
+  });
+}
+
+} // namespace pcl::sedr::sim

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_segmentation/building_frame.h>
+
+#include "turned_room.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** An L-shaped room, so that no two directions are alike. */
+PlanRoom
+cornerRoom()
+{
+  return roomOf(polygon({{0, 0}, {7, 0}, {7, 2.2}, {3, 2.2}, {3, 4.6}, {0, 4.6}}), 2.5);
+}
+
+BuildingFrame
+frameOf(double degrees, double noise)
+{
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  return findBuildingFrame(turned(cornerRoom(), turn, noise).view());
+}
+
+TEST(BuildingFrame, IsThatOfTheBuildingHoweverItIsTurned)
+{
+  const Eigen::Vector3d shift(30, -20, 5); // see turned()
+  for (const double noise : {0.0, 0.005}) {
+    const BuildingFrame first = frameOf(0, noise);
+    for (const double degrees : {7.0, 30.0, 44.9, 90.0, 123.4, 180.0, 271.0}) {
+      SCOPED_TRACE(testing::Message() << degrees << " degrees, noise " << noise);
+      const Eigen::AngleAxisd turn(degrees * M_PI / 180, Eigen::Vector3d::UnitZ());
+      const BuildingFrame frame = frameOf(degrees, noise);
+      for (const Eigen::Vector3d& p :
+           {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(7, 0, 0),
+            Eigen::Vector3d(0, 4.6, 2.5)})
+        EXPECT_LT(
+            (frame.toBuilding(turn * p + shift) - first.toBuilding(p + shift)).norm(),
+            0.004);
+    }
+  }
+}
+
+TEST(BuildingFrame, IsUndoneExactly)
+{
+  const BuildingFrame frame = frameOf(17, 0.005);
+  const Eigen::Vector3d p(31.5, -18.25, 6.125);
+  EXPECT_LT((frame.toScan(frame.toBuilding(p)) - p).norm(), 1e-12);
+  const BuildingFrame back = frame.to(BuildingFrame());
+  EXPECT_LT((back.toBuilding(frame.toBuilding(p)) - p).norm(), 1e-12);
+  EXPECT_NEAR(back.yaw(), -frame.yaw(), 1e-12);
+}
+
+TEST(BuildingFrame, OfNoWallsIsThatOfTheScan)
+{
+  RoomPoints floor(0.05, 0);
+  floor.slab(rectangle(0, 0, 4, 3), 0);
+  for (const auto& frame : {findBuildingFrame(floor.view()), findBuildingFrame({})}) {
+    EXPECT_TRUE(frame.rotation.isIdentity());
+    EXPECT_TRUE(frame.origin.isZero());
+  }
+}
+
+} // namespace
