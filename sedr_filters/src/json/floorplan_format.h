@@ -47,6 +47,29 @@ bool readOrigin(const nlohmann::ordered_json& json, Origin& origin);
 /** @brief Writes how a scan was levelled; angles in degrees. */
 nlohmann::ordered_json levellingToJson(const Levelling& levelling);
 
+/** @brief Reads an integer of at least `least` that fits 32 bits. */
+std::uint32_t
+wholeFrom(const nlohmann::ordered_json& json, std::uint32_t least, const char* what);
+
+std::vector<std::uint32_t> roomsFrom(const nlohmann::ordered_json& json,
+                                     std::uint32_t least);
+
+template <typename T>
+void
+readIfThere(const nlohmann::ordered_json& json, const char* name, T& value)
+{
+  if (json.contains(name))
+    value = json.at(name).get<T>();
+}
+
+/** @brief Writes stairs. Unknown rooms become 0, outside; stairs from there to there
+ * are left out. */
+nlohmann::ordered_json stairsToJson(const Floorplan& plan);
+
+/** @brief Adds the doorways of versions 1 and 2, unless they are among the openings or
+ * of no size. Their kind is not known. */
+void addDoorways(const nlohmann::ordered_json& json, Floorplan& plan);
+
 // The parts of a plan; those that cannot be read throw a std::exception with the
 // reason.
 void to_json(nlohmann::ordered_json& json, const PlanElement& element);

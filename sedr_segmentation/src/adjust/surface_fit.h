@@ -51,6 +51,10 @@ public:
   ScanErrors run();
 
 private:
+  /** @brief Rounds of patches that follow the moved surface; the third moves it by
+   * hundredths of the noise. */
+  static constexpr int rounds = 3;
+
   void start(std::size_t u);
   void refine(std::size_t u);
   bool

@@ -4,12 +4,10 @@
 #include "room_points.h"
 #include "storey_levels.h"
 
-#include "../scan/scan_excerpt.h"
 #include "../stairs/stairs.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_segmentation/building.h>
-#include <pcl/sedr_segmentation/building_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -242,13 +240,14 @@ describe(const AirGaps& air,
   return building;
 }
 
-/** @brief Finds the building on a grid in the frame of the points. */
+} // namespace
+
 Building
-findOnGrid(const PointView& points,
-           const std::vector<int>& indices,
-           const BuildingParameters& parameters,
-           std::string& problem,
-           const std::vector<std::uint8_t>& behind)
+findBuilding(const PointView& points,
+             const std::vector<int>& indices,
+             const BuildingParameters& parameters,
+             std::string& problem,
+             const std::vector<std::uint8_t>& behind)
 {
   problem.clear();
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
@@ -264,65 +263,6 @@ findOnGrid(const PointView& points,
   if (building.rooms.empty())
     problem = problemOf(building, parameters,
                         indices.empty() ? points.size() : indices.size());
-  return building;
-}
-
-/** @brief Moves a building, but for its grid, from a frame to that of the scan. */
-void
-moveBack(const BuildingFrame& frame, Building& building)
-{
-  const double up = frame.origin.z();
-  for (BuildingRoom& room : building.rooms) {
-    room.floor += up;
-    room.ceiling += up;
-    for (RoomColumn& column : room.columns) {
-      column.floor += static_cast<float>(up);
-      column.ceiling += static_cast<float>(up);
-    }
-  }
-  const auto movePlace = [&](Eigen::Vector2d& at) {
-    at = frame.toScan({at.x(), at.y(), 0}).head<2>();
-  };
-  for (LeftOut& part : building.left_out) {
-    part.floor += up;
-    part.ceiling += up;
-    movePlace(part.at);
-  }
-  for (RoomLink& link : building.links) {
-    movePlace(link.start);
-    movePlace(link.end);
-    link.bottom += up;
-    link.top += up;
-  }
-  Floorplan plan;
-  plan.storeys = std::move(building.storeys);
-  plan.stairs = std::move(building.stairs);
-  plan = moved(std::move(plan), -frame.yaw(), frame.toScan(Eigen::Vector3d::Zero()));
-  building.storeys = std::move(plan.storeys);
-  building.stairs = std::move(plan.stairs);
-  building.frame = frame;
-}
-
-} // namespace
-
-Building
-findBuilding(const PointView& points,
-             const std::vector<int>& indices,
-             const BuildingParameters& parameters,
-             std::string& problem,
-             const std::vector<std::uint8_t>& behind)
-{
-  if (!parameters.own_frame)
-    return findOnGrid(points, indices, parameters, problem, behind);
-  const BuildingFrame frame =
-      findBuildingFrame(points, indices, parameters.threads,
-                        Eigen::Matrix3d::Identity(), parameters.cell_size);
-  std::vector<Eigen::Vector3f> inside(points.size());
-  movePoints(frame, points, parameters.threads, inside.data());
-  Building building =
-      findOnGrid(PointView(inside.data(), sizeof inside[0], inside.size()), indices,
-                 parameters, problem, behind);
-  moveBack(frame, building);
   return building;
 }
 

@@ -218,6 +218,32 @@ TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
     EXPECT_EQ(chain.labels[i] == 0, chain.rooms[i] == 0);
 }
 
+TEST(StructureChain, AGalleryOwnsItsWallsThoughAHallIsAsHigh)
+{
+  // A hall of 9 x 6 m, 6 m high but for a gallery over a third of it.
+  RoomPoints points;
+  const auto isFree = [](double z) { return z < 2.8 || z > 3.1; };
+  const PlanLoop third = rectangle(6.01, 0.01, 9.01, 6.01);
+  points.slab(rectangle(0.01, 0.01, 9.01, 6.01), 0);
+  points.slab(rectangle(0.01, 0.01, 9.01, 6.01), 6);
+  points.slab(third, 2.8);
+  points.slab(third, 3.1);
+  points.wall(segment({6.01, 0.01}, {6.01, 6.01}), 2.8, 3.1); // the edge of its slab
+  for (const PlanElement& wall : rectangle(0.01, 0.01, 9.01, 6.01).elements)
+    points.wall(wall, 0, 6, [&](double s, double z) {
+      return wall.pointAt(s).x() < 6.01 || isFree(z);
+    });
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 2u);
+  EXPECT_NEAR(chain.plan->rooms[0].area(), 9 * 6, 0.1);
+  EXPECT_NEAR(chain.plan->rooms[1].area(), 3 * 6, 0.6) << "its edge is open";
+  for (const PlanElement& wall : chain.plan->rooms[1].boundary.elements)
+    if (std::max(wall.start.x(), wall.end.x()) > 7) {
+      EXPECT_GT(wall.evidence.seen, 0.9);
+    }
+}
+
 TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
 {
   RoomPoints points(0.1);

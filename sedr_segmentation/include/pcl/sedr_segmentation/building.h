@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Core>
 
@@ -26,7 +25,6 @@ struct BuildingParameters {
   double minimum_enclosure = 0.15; ///< share of a room's outline with walls
   double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
   unsigned threads = 0;     ///< 0: all processors
-  bool own_frame = false;   ///< whether the grid lies in the building's own frame
 };
 
 /** @brief A profile of a room: the ends of its gap below and above, metres. */
@@ -87,8 +85,7 @@ struct RoomLink {
 
 /** @brief A building: rooms, storeys, links and stairs of a scan. */
 struct Building {
-  CellGrid grid{0};    ///< of the profiles of its rooms; of size 0 where there are none
-  BuildingFrame frame; ///< in which the grid lies; all else is in that of the scan
+  CellGrid grid{0}; ///< of the profiles of its rooms; of size 0 where there are none
   std::vector<BuildingRoom> rooms;
   std::vector<PlanStorey> storeys; ///< from the lowest up
   std::vector<RoomLink> links;     ///< on a storey; between two there are stairs
@@ -100,13 +97,6 @@ struct Building {
    * floor (2) or neither (0), see StructureLabel. */
   std::vector<std::uint32_t> room_of;
   std::vector<std::uint32_t> label_of;
-
-  /** @brief Returns the middle of a cell, in the frame of the scan. */
-  Eigen::Vector2d placeOf(Cell cell) const
-  {
-    const Eigen::Vector2d at = grid.centre(cell);
-    return frame.toScan({at.x(), at.y(), 0}).head<2>();
-  }
 };
 
 /** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope

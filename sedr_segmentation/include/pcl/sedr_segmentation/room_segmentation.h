@@ -54,14 +54,6 @@ public:
   void setStoreyStep(double step) { parameters_.storey_step = step; }
   double getStoreyStep() const { return parameters_.storey_step; }
 
-  /** @brief Sets whether the cells lie in the building's own frame, see
-   * sedr::findBuildingFrame(): the rooms then hardly depend on where and how the scan
-   * lies. Points thinned along other axes fill oblique cells less evenly. Default
-   * false.
-   */
-  void setOwnFrame(bool own_frame) { parameters_.own_frame = own_frame; }
-  bool getOwnFrame() const { return parameters_.own_frame; }
-
   /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
