@@ -62,6 +62,10 @@ main(int argc, char** argv)
   options.text("paper", paper, "smallest paper of the sheet", paper_names);
   options.text("title", settings.title,
                "of the sheet; \"Floor plan\" if none is given");
+  options.text("client", settings.client, "of the title block, as are the next ones");
+  options.text("project", settings.project, "name of the project");
+  options.text("date", settings.date, "such as 2024-05-31");
+  options.text("drawn-by", settings.drawn_by, "who has drawn it");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {

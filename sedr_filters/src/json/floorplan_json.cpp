@@ -144,6 +144,7 @@ from_json(const Json& json, Floorplan& plan)
   readIfThere(json, "openings", plan.openings);
   if (json.contains("doorways"))
     addDoorways(json.at("doorways"), plan);
+  numberOpenings(plan);
   if (json.contains("names") && json["names"].is_object())
     for (const auto& [room, name] : json["names"].items()) {
       std::uint32_t id = 0;
@@ -215,8 +216,11 @@ documentToJson(const PlanDocument& document)
             {"rooms", rooms},
             {"storeys", storeysOf(plan)},
             {"stairs", stairsToJson(plan)}};
-  if (!plan.openings.empty())
-    json["openings"] = plan.openings;
+  if (!plan.openings.empty()) {
+    Floorplan numbered = plan;
+    numberOpenings(numbered);
+    json["openings"] = numbered.openings;
+  }
   if (document.levelling)
     json["levelling"] = levellingToJson(*document.levelling);
   if (document.max_wall != Priors().max_wall)

@@ -293,7 +293,7 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   constexpr double finest = 0.02; // whatever the sheet: a CAD program zooms in
   constexpr double below = 5;     // rows, beyond the dimensions
   const PlanDrawing drawing(whole, settings, finest);
-  Eigen::AlignedBox2d bounds = boundsOf(whole);
+  Eigen::AlignedBox2d bounds = boundsOf(whole, findWalls(whole, {settings.max_wall}));
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
   DxfWriter writer(drawing);

@@ -74,9 +74,8 @@ isOf(const Floorplan& plan, const WallFace& face, const PlanOpening& opening)
 bool
 isBetween(const Floorplan& plan, const PlanWall& wall, const PlanOpening& opening)
 {
-  const bool leads_outside = opening.rooms[0] == 0 || opening.rooms[1] == 0;
   return isOf(plan, wall.face, opening) &&
-         (!wall.other || leads_outside || isOf(plan, *wall.other, opening));
+         (!wall.other || opening.leadsOutside() || isOf(plan, *wall.other, opening));
 }
 
 PlanLoop

@@ -14,17 +14,25 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(OpeningGaps, AreAsDeepAsTheirReveals)
+TEST(OpeningGaps, OfOuterWallsGoThroughTheirWall)
 {
+  // Reveals of 0.4 m in one wall are those of the others, too.
   Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
   plan.openings = {
-      {OpeningKind::Passage, {1, 0}, {{1, 0}}, {2, -0.2}, {1, -0.2}, 0, 2, 0, 0.4}};
-  const std::vector<OpeningGap> gaps = openingGaps(plan);
+      {OpeningKind::Passage, {1, 0}, {{1, 0}}, {2, -0.2}, {1, -0.2}, 0, 2, 0, 0.4},
+      {OpeningKind::Window, {0, 1}, {{1, 2}}, {1, 3.1}, {2, 3.1}, 1, 2, 0, 0.2},
+      {OpeningKind::Window, {1, 0}, {{1, 1}}, {4.4, 2}, {4.4, 1}, 1, 2, 0, 0.4}};
+  const std::vector<OpeningGap> gaps = openingGaps(plan, findWalls(plan));
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : gaps.at(0).corners)
     box.extend(corner);
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector2d(1, -0.4)));
   EXPECT_NEAR((box.max() - Eigen::Vector2d(2, 0)).norm(), 0, 1e-9);
+  box.setEmpty();
+  for (const Eigen::Vector2d& corner : gaps.at(1).corners)
+    box.extend(corner);
+  EXPECT_TRUE(box.min().isApprox(Eigen::Vector2d(1, 3)));
+  EXPECT_TRUE(box.max().isApprox(Eigen::Vector2d(2, 3.4)));
   EXPECT_NE(floorplanToDxf(plan).find("\n20\n-0.4000000\n"), std::string::npos);
 }
 
@@ -45,7 +53,7 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
   for (const OpeningKind kind :
        {OpeningKind::Door, OpeningKind::Window, OpeningKind::Passage}) {
     plan.openings[0].kind = kind;
-    lines[kind] = fillingOf(openingGaps(plan)[0]).size();
+    lines[kind] = fillingOf(openingGaps(plan, findWalls(plan))[0]).size();
   }
   EXPECT_EQ(lines[OpeningKind::Door], 1u);
   EXPECT_EQ(lines[OpeningKind::Window], 2u);
@@ -57,7 +65,8 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
   EXPECT_NE(floorplanToDxf(plan), floorplanToDxf(passage));
   plan.openings[0].hinge = OpeningHinge::Start;
   plan.openings[0].swing = 1;
-  EXPECT_TRUE(fillingOf(openingGaps(plan)[0]).empty()) << "its leaf is drawn";
+  EXPECT_TRUE(fillingOf(openingGaps(plan, findWalls(plan))[0]).empty())
+      << "its leaf is drawn";
 }
 
 } // namespace

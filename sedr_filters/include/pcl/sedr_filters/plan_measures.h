@@ -54,6 +54,11 @@ std::map<std::uint32_t, std::uint32_t> storeyOfRooms(const Floorplan& plan);
  * openings and stairs that touch one of them. */
 Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);
 
+/** @brief Numbers the openings that have no number yet: in their kind, storey by storey
+ * from the lowest up, after those that have one. Numbers stay what they are, so that
+ * drawings and schedules of an edited plan agree with earlier ones. */
+void numberOpenings(Floorplan& plan);
+
 /** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);
 

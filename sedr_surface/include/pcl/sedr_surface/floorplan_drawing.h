@@ -26,9 +26,13 @@ struct DrawingSettings {
    * those of the whole plan, so that the sheets of a building can be overlaid. Null:
    * all rooms. */
   const PlanStorey* storey = nullptr;
-  Origin origin{};                     ///< origin of the coordinates
-  PaperSize paper = PaperSize::A3;     ///< larger if the given scale needs it
-  std::string title{};                 ///< "": "Floor plan"
+  Origin origin{};                 ///< origin of the coordinates
+  PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
+  std::string title{};             ///< "": "Floor plan"
+  std::string client{};            ///< of the title block, as are the next ones
+  std::string project{};
+  std::string date{};
+  std::string drawn_by{};
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_area.h"
+#include "sedr_filters/src/walls/plan_walls.h"
+
+namespace pcl::sedr {
+
+/** @brief Returns the side of a wall behind its face, in the direction of the face. */
+PlanElement farSideOf(const Floorplan& plan, const PlanWall& wall);
+
+/** @brief Returns what is between the face of a wall and its far side,
+ * counter-clockwise; a wall that surrounds a room has a hole. */
+PlanArea bandOf(const Floorplan& plan, const PlanWall& wall);
+
+} // namespace pcl::sedr
