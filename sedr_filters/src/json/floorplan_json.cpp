@@ -225,6 +225,8 @@ documentToJson(const PlanDocument& document)
     json["levelling"] = levellingToJson(*document.levelling);
   if (document.max_wall != Priors().max_wall)
     json["max_wall"] = document.max_wall;
+  if (!document.scan.empty())
+    json["scan"] = document.scan;
   if (!names.empty())
     json["names"] = names;
   // A name may contain any bytes; invalid UTF-8 becomes U+FFFD.
@@ -247,6 +249,7 @@ documentFromJson(const std::string& text, std::string& problem)
     if (json.contains("max_wall"))
       problem = setPrior("max_wall", json["max_wall"].get<double>(), priors);
     document.max_wall = priors.max_wall;
+    readIfThere(json, "scan", document.scan);
     return problem.empty() ? document : PlanDocument();
   }
   catch (const std::exception& error) {

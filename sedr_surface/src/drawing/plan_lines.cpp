@@ -283,9 +283,7 @@ gapOf(const Floorplan& plan, const PlanOpening& opening, double depth)
   gap.width = opening.width();
   gap.height = opening.height();
   gap.kind = opening.kind;
-  if (const PlanRoom* const room = findRoom(plan, opening.rooms[0]))
-    gap.sill = opening.bottom -
-               room->floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
+  gap.sill = sillOf(plan, opening);
   for (const OpeningLeaf& door : leavesOf(opening)) {
     PlanElement swing = segment(door.open, door.shut);
     swing.centre = door.hinge;

@@ -128,6 +128,16 @@ WallHeights::highest() const
 }
 
 double
+WallHeights::mean() const
+{
+  double mean = 0;
+  for (std::size_t k = 1; k < tops.size(); ++k)
+    mean +=
+        (tops[k].along - tops[k - 1].along) * (tops[k].height + tops[k - 1].height) / 2;
+  return mean;
+}
+
+double
 WallHeights::topAt(double along) const
 {
   const auto next = std::find_if(tops.begin(), tops.end(),

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_band.h"
 
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +74,47 @@ bandOf(const Floorplan& plan, const PlanWall& wall)
   return {counterClockwise(
       {{near, segment(near.end, far.end), reversed({{far}}).elements.front(),
         segment(far.start, near.start)}})};
+}
+
+bool
+isExternal(const Floorplan& plan, const PlanWall& wall)
+{
+  constexpr double reach = 3; // metres
+  constexpr double step = 0.1;
+  constexpr int places = 3;
+  if (wall.other)
+    return false;
+  const PlanRoom& own = plan.rooms[wall.face.room];
+  const auto isOfWall = [&](const OpeningWall& w) {
+    return wall.face.loop == 0 && w.room == own.id && w.element == wall.face.element;
+  };
+  if (std::any_of(plan.openings.begin(), plan.openings.end(),
+                  [&](const PlanOpening& o) {
+                    return o.kind == OpeningKind::Window && o.leadsOutside() &&
+                           std::any_of(o.walls.begin(), o.walls.end(), isOfWall);
+                  }))
+    return true;
+  int free = 0;
+  for (int k = 0; k < places; ++k) {
+    const auto [place, inward] =
+        faceAt(elementOf(plan, wall.face),
+               wall.stretch.from + wall.stretch.length() * (k + 0.5) / places);
+    Eigen::AlignedBox2d way(place);
+    way.extend(place - reach * inward);
+    free += std::none_of(plan.rooms.begin(), plan.rooms.end(),
+                         [&, at = place, in = inward](const PlanRoom& room) {
+                           if (!way.intersects(boundsOf(room.boundary)) ||
+                               !shareHeights(room, own))
+                             return false;
+                           for (double off = wall.thickness; off < reach; off += step)
+                             if (room.contains(at - off * in))
+                               return true;
+                           return false;
+                         })
+                ? 1
+                : 0;
+  }
+  return free > places / 2;
 }
 
 } // namespace pcl::sedr

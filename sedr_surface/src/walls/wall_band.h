@@ -13,4 +13,9 @@ PlanElement farSideOf(const Floorplan& plan, const PlanWall& wall);
  * counter-clockwise; a wall that surrounds a room has a hole. */
 PlanArea bandOf(const Floorplan& plan, const PlanWall& wall);
 
+/** @brief Checks whether a wall is an outer one: only one face of it was seen, and a
+ * window leads out of it, or there is no room of its heights within 3 m behind most of
+ * it. */
+bool isExternal(const Floorplan& plan, const PlanWall& wall);
+
 } // namespace pcl::sedr

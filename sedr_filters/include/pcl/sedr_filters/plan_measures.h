@@ -59,6 +59,10 @@ Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);
  * drawings and schedules of an edited plan agree with earlier ones. */
 void numberOpenings(Floorplan& plan);
 
+/** @brief Returns the height of an opening's lower edge above the floor beside it, of
+ * the first of its rooms that the plan has; metres. */
+double sillOf(const Floorplan& plan, const PlanOpening& opening);
+
 /** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);
 
@@ -68,6 +72,9 @@ struct ClearHeight {
   double usual = 0; ///< over the middle of the floor by height: half of it has less
   double mean = 0;
   double least = 0;
+  double greatest = 0;
+  double share_2_0 = 0; ///< of the floor, with at least 2.0 m
+  double share_1_5 = 0; ///< of the floor, with at least 1.5 m
   Eigen::Vector2d lowest = Eigen::Vector2d::Zero(); ///< where it is least
 };
 
