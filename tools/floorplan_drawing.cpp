@@ -54,9 +54,10 @@ main(int argc, char** argv)
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting "
                "write it");
-  options.file("OUTPUT", output,
-               "drawing to write: .svg, .pdf, or .dxf (AutoCAD R12, one unit a metre); "
-               "of several storeys one each, with its number before the extension");
+  options.file(
+      "OUTPUT", output,
+      "drawing to write: .svg, .pdf, or .dxf (AutoCAD 2013, one unit a metre); "
+      "of several storeys one each, with its number before the extension");
   options.number("scale", settings.scale, "", "50 for 1:50; 0: what fits the paper",
                  Range::between(0, 1e6));
   options.text("paper", paper, "smallest paper of the sheet", paper_names);

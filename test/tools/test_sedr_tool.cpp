@@ -32,7 +32,7 @@ expectSolidAndDrawings(const std::string& model, const nlohmann::json& told)
   }
   EXPECT_NE(bytesOf(model + "solid.mtl").find("newmtl wall"), std::string::npos);
   EXPECT_NE(bytesOf(model + "floorplan.svg").find("Room 1"), std::string::npos);
-  EXPECT_NE(bytesOf(model + "floorplan.dxf").find("AC1009"), std::string::npos);
+  EXPECT_NE(bytesOf(model + "floorplan.dxf").find("AC1027"), std::string::npos);
   const std::string ifc = bytesOf(model + "model.ifc");
   EXPECT_NE(ifc.find("FILE_SCHEMA(('IFC4'))"), std::string::npos);
   EXPECT_NE(ifc.find("=IFCSPACE("), std::string::npos);

@@ -314,6 +314,59 @@ fillingOf(const OpeningGap& gap)
   return lines;
 }
 
+std::vector<PlanElement>
+linesOf(const OpeningGap& gap)
+{
+  const auto& c = gap.corners;
+  std::vector<PlanElement> lines{segment(c[0], c[3]), segment(c[1], c[2])};
+  if (gap.kind == OpeningKind::Window) // both faces go on below it
+    lines.insert(lines.end(), {segment(c[0], c[1]), segment(c[3], c[2])});
+  const std::vector<PlanElement> filling = fillingOf(gap);
+  lines.insert(lines.end(), filling.begin(), filling.end());
+  lines.insert(lines.end(), gap.leaf.begin(), gap.leaf.end());
+  return lines;
+}
+
+namespace {
+
+/** @brief Returns the distance of a place from the line or circle of an element. */
+double
+offLine(const PlanElement& e, const Eigen::Vector2d& p)
+{
+  return e.isArc()
+             ? std::abs((p - e.centre).norm() - e.radius)
+             : Eigen::Hyperplane<double, 2>::Through(e.start, e.end).absDistance(p);
+}
+
+} // namespace
+
+std::vector<PlanElement>
+cutAtGaps(const PlanElement& element, const std::vector<OpeningGap>& gaps)
+{
+  constexpr double on_face = 0.05; // metres between an arc and the end of its opening
+  constexpr double shortest = 1e-4;
+  if (element.length() < shortest)
+    return {element};
+  std::vector<std::pair<double, double>> cuts;
+  for (const OpeningGap& gap : gaps)
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(3, 2)})
+      if (offLine(element, gap.corners[a]) < on_face &&
+          offLine(element, gap.corners[b]) < on_face)
+        cuts.push_back(std::minmax(
+            {element.project(gap.corners[a]), element.project(gap.corners[b])}));
+  std::sort(cuts.begin(), cuts.end());
+  cuts.emplace_back(element.length(), element.length());
+  std::vector<PlanElement> parts;
+  double from = 0;
+  for (const auto& [start, end] : cuts) {
+    if (start - from > shortest)
+      parts.push_back(
+          from == 0 && start == element.length() ? element : element.part(from, start));
+    from = std::max(from, end);
+  }
+  return parts;
+}
+
 std::vector<OpeningGap>
 openingGaps(const Floorplan& plan, const std::vector<PlanWall>& walls)
 {

@@ -60,6 +60,14 @@ layerOf(const OpeningGap& gap)
  * of a door whose leaves are not known; none for other gaps. */
 std::vector<PlanElement> fillingOf(const OpeningGap& gap);
 
+/** @brief Returns all lines of a gap: its jambs, both faces below a window, what shuts
+ * it, leaves and swings. */
+std::vector<PlanElement> linesOf(const OpeningGap& gap);
+
+/** @brief Returns what is left of the face of a wall beside gaps in it. */
+std::vector<PlanElement> cutAtGaps(const PlanElement& element,
+                                   const std::vector<OpeningGap>& gaps);
+
 /** @brief Returns the gaps of the openings of a plan, each through its whole wall; in
  * none of the walls, as deep as their reveals. */
 std::vector<OpeningGap> openingGaps(const Floorplan& plan,

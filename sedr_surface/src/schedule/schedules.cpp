@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 #include <utility>
 
 namespace pcl::sedr {
@@ -164,10 +165,12 @@ openingRows(const Floorplan& plan)
   std::vector<const PlanOpening*> openings;
   for (const PlanOpening& opening : plan.openings)
     openings.push_back(&opening);
-  std::sort(openings.begin(), openings.end(),
-            [](const PlanOpening* a, const PlanOpening* b) {
-              return std::pair(a->kind, a->number) < std::pair(b->kind, b->number);
-            });
+  const auto rank = [](const PlanOpening* o) {
+    return std::tuple(o->kind == OpeningKind::Unknown, o->kind, o->number);
+  };
+  std::sort(
+      openings.begin(), openings.end(),
+      [&](const PlanOpening* a, const PlanOpening* b) { return rank(a) < rank(b); });
   for (const PlanOpening* opening : openings) {
     const std::uint32_t room = opening->rooms[opening->rooms[0] == 0 ? 1 : 0];
     const auto storey =

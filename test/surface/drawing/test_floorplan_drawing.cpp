@@ -236,9 +236,8 @@ TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
     EXPECT_TRUE(holds(svg, text)) << text;
   EXPECT_TRUE(holds(svg, "Dotted: headroom."));
   const std::string dxf = floorplanToDxf(plan);
-  const std::string ridge = "LINE\n8\nA-CLNG-RIDG\n";
-  EXPECT_EQ(dxf.find(ridge), dxf.rfind(ridge)) << "drawn once";
-  EXPECT_TRUE(holds(dxf, ridge) && holds(dxf, "LINE\n8\nA-CLNG-HEAD\n"));
+  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-RIDG"), 1u) << "drawn once";
+  EXPECT_GT(countOf(dxf, "LINE", "A-CLNG-HEAD"), 0u);
 }
 
 TEST(FloorplanDrawing, TiltedWallsHaveTheirHead)
@@ -332,22 +331,21 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
 TEST(FloorplanDxf, HasArcsCirclesAndDetails)
 {
   EXPECT_TRUE(holds(floorplanToDxf(planOf(bittenRectangle(6, 4, 1))),
-                    "0\nARC\n8\nA-WALL\n10\n3.0000000\n20\n0.0000000\n30\n0.0000000\n"
-                    "40\n1.0000000\n50\n0.0000000\n51\n180.0000000\n"));
-  EXPECT_TRUE(
-      holds(floorplanToDxf(planOf(circle({0, 0}, 1))), "\nCIRCLE\n8\nA-WALL\n"));
+                    "8\nA-WALL\n100\nAcDbCircle\n10\n3.0000000\n20\n0.0000000\n30\n"
+                    "0.0000000\n40\n1.0000000\n100\nAcDbArc\n50\n0.0000000\n51\n"
+                    "180.0000000\n"));
+  EXPECT_EQ(countOf(floorplanToDxf(planOf(circle({0, 0}, 1))), "CIRCLE", "A-WALL"), 1u);
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));
   plan.rooms[0].details = {detailOf(rectangle(4, -1, 7, 5), 2.2)};
-  const std::string dxf = floorplanToDxf(plan);
-  const std::string line = "0\nLINE\n8\nA-CLNG\n";
-  EXPECT_TRUE(holds(dxf, line) && dxf.find(line) == dxf.rfind(line));
+  EXPECT_EQ(countOf(floorplanToDxf(plan), "LINE", "A-CLNG"), 1u);
 }
 
 TEST(FloorplanDrawing, APlanWithoutRoomsIsAnEmptyPage)
 {
   EXPECT_TRUE(holds(floorplanToSvg({}), "</svg>"));
   EXPECT_FALSE(holds(floorplanToSvg({}), "<path"));
-  EXPECT_TRUE(holds(floorplanToDxf({}), "ENTITIES\n0\nENDSEC\n0\nEOF\n"));
+  EXPECT_TRUE(
+      holds(floorplanToDxf({}), "ENTITIES\n0\nENDSEC\n0\nSECTION\n2\nOBJECTS\n"));
   EXPECT_EQ(floorplanToPdf({}), floorplanToPdf({}));
 }
 
