@@ -54,14 +54,19 @@ main(int argc, char** argv)
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting "
                "write it");
-  options.file("OUTPUT", output,
-               "drawing to write: .svg, .pdf, or .dxf (AutoCAD R12, one unit a metre); "
-               "of several storeys one each, with its number before the extension");
+  options.file(
+      "OUTPUT", output,
+      "drawing to write: .svg, .pdf, or .dxf (AutoCAD 2013, one unit a metre); "
+      "of several storeys one each, with its number before the extension");
   options.number("scale", settings.scale, "", "50 for 1:50; 0: what fits the paper",
                  Range::between(0, 1e6));
   options.text("paper", paper, "smallest paper of the sheet", paper_names);
   options.text("title", settings.title,
                "of the sheet; \"Floor plan\" if none is given");
+  options.text("client", settings.client, "of the title block, as are the next ones");
+  options.text("project", settings.project, "name of the project");
+  options.text("date", settings.date, "such as 2024-05-31");
+  options.text("drawn-by", settings.drawn_by, "who has drawn it");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {

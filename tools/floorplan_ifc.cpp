@@ -30,6 +30,7 @@ main(int argc, char** argv)
   std::string plan;
   std::string output;
   std::string arcs = "exact";
+  std::string schedules;
   pcl::sedr::IfcSettings settings;
   Options options("pcl_floorplan_ifc", "Writes a floor plan as IFC4.");
   options.file("PLAN.json", plan,
@@ -38,8 +39,10 @@ main(int argc, char** argv)
   options.text("ifc-arcs", arcs,
                "arcs of the IFC: exact, or faceted for programs that misread them",
                {"exact", "faceted"});
-  options.text("ifc-name", settings.name,
-               "name of the building in the IFC; its GUIDs are made of it");
+  options.text("project", settings.name,
+               "name of project and building; GUIDs are made of it and of the scan");
+  options.text("schedules", schedules,
+               "folder for rooms.csv, openings.csv and walls.csv; none: not written");
   options.text("crs", settings.crs,
                "name of the grid that the coordinates are in, for the IFC: EPSG:25832");
   options.number("assumed-thickness", settings.assumed_thickness, "m",
@@ -47,12 +50,18 @@ main(int argc, char** argv)
                  Range::between(0.02, 2));
   return runTool(options, argc, argv, [&] {
     checkOutput(output, "a building model", {".ifc"});
+    if (!schedules.empty())
+      checkWritable(schedules + "/rooms.csv");
     const pcl::sedr::PlanDocument file = loadPlan(plan);
     settings.arcs =
         arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;
     settings.max_wall = file.max_wall;
+    settings.scan = file.scan;
     const auto model = writeIfc(file.plan, settings, file.origin);
     writeWhole(output, model.text);
+    if (!schedules.empty())
+      for (const auto& table : tablesOf(model.schedules))
+        writeWhole(schedules + "/" + table.name + ".csv", csvOf(table));
     tell(model);
     return Done;
   });

@@ -18,8 +18,9 @@ main(int argc, char** argv)
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
       "room.\nWrites structure.pcd, mesh.ply, solid.ply, .obj, model.glb, .ifc, "
-      "floorplan.json, .svg, .pdf, .dxf and report.json; of several storeys one "
-      "drawing each, floorplan_1.svg, ...");
+      "floorplan.json, .svg, .pdf, .dxf, report.json and schedules (rooms.csv, "
+      "openings.csv, walls.csv); of several storeys one drawing each, "
+      "floorplan_1.svg, ...");
   options.files(
       "INPUT", settings.inputs,
       "PCD, PLY, E57, LAS or text, z up, or a folder of them; several are one "

@@ -18,7 +18,7 @@ class Schema:
         for name, body in re.findall(r"^TYPE (\w+) = (.*?);", text, re.S | re.M):
             self.types[name.upper()] = " ".join(body.split())
         for name, body in re.findall(r"^ENTITY (\w+)(.*?)END_ENTITY;", text, re.S | re.M):
-            head = re.split(r"\b(?:DERIVE|INVERSE|UNIQUE|WHERE)\b", body)[0]
+            head = re.split(r"^\s*(?:DERIVE|INVERSE|UNIQUE|WHERE)$", body, flags=re.M)[0]
             above = re.search(r"SUBTYPE OF \((\w+)\)", head)
             derive = re.search(r"\bDERIVE\b(.*?)(?:\b(?:INVERSE|UNIQUE|WHERE)\b|$)", body, re.S)
             self.entities[name.upper()] = {

@@ -52,7 +52,7 @@ class IfcSchema(unittest.TestCase):
             instances = step_reader.read(write(TOOL, house_with_doors(hinge, swing), self.folder))
             self.assertEqual(self.problems(instances), [])
             kinds = [name for name, _ in instances.values()]
-            self.assertEqual((kinds.count("IFCDOOR"), kinds.count("IFCWINDOW")), (1, 2))
+            self.assertEqual([kinds.count("IFC" + kind) for kind in ("DOOR", "WINDOW", "DOORTYPE", "WINDOWTYPE")], [1, 2, 1, 2])
             door = next(v for name, v in instances.values() if name == "IFCDOOR")
             expected = "SINGLE_SWING_" + operation if operation else \
                 {"both": "DOUBLE_DOOR_SINGLE_SWING", "unknown": "NOTDEFINED"}[hinge]
@@ -82,7 +82,7 @@ class IfcSchema(unittest.TestCase):
                 "openings": [opening("door", [1, 2], [4, 1], [4, 1.9])]}
         instances = step_reader.read(write(TOOL, plan, self.folder))
         self.assertEqual(self.problems(instances), [])
-        self.assertEqual([v[2] for name, v in instances.values() if name == "IFCVIRTUALELEMENT"], ["opening_1"])
+        self.assertEqual([v[2] for name, v in instances.values() if name == "IFCVIRTUALELEMENT"], ["opening_D1"])
 
     def test_one_room_without_an_origin(self):
         plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",

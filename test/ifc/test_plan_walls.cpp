@@ -48,6 +48,56 @@ TEST(PlanWalls, OfOneRoomAreAssumedAndMeetAtMitres)
   EXPECT_NEAR(area, 4.4 * 3.4 - 4 * 3, 1e-9) << "corners are filled, once";
 }
 
+/** A window in the middle of an element of the first room of a plan. */
+PlanOpening
+windowIn(const Floorplan& plan, std::size_t element, double depth)
+{
+  const PlanElement& e = plan.rooms[0].boundary.elements[element];
+  const Eigen::Vector2d half = (e.end - e.start).normalized() / 2;
+  const Eigen::Vector2d middle =
+      e.pointAt(e.length() / 2) - depth / 2 * e.normalAt(e.length() / 2);
+  return {OpeningKind::Window,
+          {plan.rooms[0].id, 0},
+          {{plan.rooms[0].id, element}},
+          middle - half,
+          middle + half,
+          1,
+          2,
+          0,
+          depth};
+}
+
+TEST(PlanWalls, OfOneFaceAreAsThickAsRevealsShow)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  plan.openings = {windowIn(plan, 0, 0.27), windowIn(plan, 1, 0.12), // up to its pane
+                   windowIn(plan, 2, 0.33)};
+  const auto walls = findWalls(plan);
+  ASSERT_EQ(walls.size(), 4u);
+  const double thickness[] = {0.27, 0.27, 0.33, 0.27};
+  const ThicknessSource source[] = {ThicknessSource::Reveals, ThicknessSource::Storey,
+                                    ThicknessSource::Reveals, ThicknessSource::Storey};
+  for (const PlanWall& wall : walls) {
+    EXPECT_DOUBLE_EQ(wall.thickness, thickness[wall.face.element]);
+    EXPECT_EQ(wall.source, source[wall.face.element]) << wall.face.element;
+  }
+}
+
+TEST(PlanWalls, OfUnseenRevealsOrBeforeARoomAreAssumed)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  plan.openings = {windowIn(plan, 0, unseen_reveal)};
+  for (const PlanWall& wall : findWalls(plan))
+    EXPECT_TRUE(wall.isAssumed() && wall.thickness == 0.2);
+  // Its walls are 0.28 m thick, but for the one that slants away from a room near it.
+  plan.openings = {windowIn(plan, 0, 0.28)};
+  plan.rooms.push_back(roomOf(polygon({{4.2, 0}, {8, 0}, {8, 3}, {5.2, 3}}), 2.5, 2));
+  for (const PlanWall& wall : findWalls(plan))
+    EXPECT_EQ(wall.isAssumed(),
+              wall.face == (WallFace{0, 1}) || wall.face == (WallFace{1, 3}))
+        << wall.face.room << "." << wall.face.element;
+}
+
 TEST(PlanWalls, BetweenTwoRoomsThereIsOneOfBothFaces)
 {
   const Floorplan plan{

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_storeys.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
+#include <vector>
 
 // The output is checked by test_ifc_schema.py and test_ifc_web.py.
 
@@ -44,6 +47,74 @@ TEST(WriteIfc, TellsWhatIsInIt)
   EXPECT_EQ(count(model.text, "=IFCRELVOIDSELEMENT("), 1u);
   // 4 walls per room, the shared one twice, plus floor and ceiling.
   EXPECT_EQ(count(model.text, "=IFCRELSPACEBOUNDARY1STLEVEL("), 8u + 4u);
+}
+
+/** The lines of a file with an entity of a kind. */
+std::vector<std::string>
+linesOf(const std::string& text, const std::string& kind)
+{
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (line.find("=" + kind + "(") != std::string::npos)
+      lines.push_back(line.substr(line.find('=')));
+  return lines;
+}
+
+TEST(WriteIfc, AStoreyLiesAtItsUsualFloor)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms.push_back(roomBetween(rectangle(0, 3.2, 2, 4.2), -0.6, 2.5, 3)); // a pit
+  for (PlanRoom& room : plan.rooms)
+    room.floor.plane[3] -= 0.12345;
+  const auto storeys = linesOf(writeIfc(plan).text, "IFCBUILDINGSTOREY");
+  ASSERT_EQ(storeys.size(), 1u);
+  EXPECT_EQ(count(storeys[0], ".ELEMENT.,0.123);"), 1u) << storeys[0];
+}
+
+TEST(WriteIfc, GuidsAreThoseOfProjectScanAndElement)
+{
+  const auto settings = [](const char* name, const char* scan) {
+    IfcSettings s;
+    s.name = name;
+    s.scan = scan;
+    return s;
+  };
+  Floorplan plan = twoRooms();
+  plan.openings.push_back(plan.openings[0]);
+  plan.openings[1].kind = OpeningKind::Door;
+  numberOpenings(plan);
+  const auto projectOf = [&](const IfcSettings& s) {
+    return linesOf(writeIfc(plan, s).text, "IFCPROJECT").at(0);
+  };
+  const std::string one = projectOf(settings("a", "1"));
+  EXPECT_EQ(one, projectOf(settings("a", "1")));
+  EXPECT_NE(one.substr(0, 40), projectOf(settings("b", "1")).substr(0, 40));
+  EXPECT_NE(one, projectOf(settings("a", "2")));
+  const std::string door = linesOf(writeIfc(plan).text, "IFCDOOR").at(0).substr(0, 34);
+  plan.openings.erase(plan.openings.begin());
+  EXPECT_EQ(linesOf(writeIfc(plan).text, "IFCDOOR").at(0).substr(0, 34), door)
+      << "whatever is removed";
+}
+
+TEST(WriteIfc, WallsAreExternalUnlessRoomsLieBehindThem)
+{
+  Floorplan plan = twoRooms(); // 7 walls, one between the rooms
+  const auto external = [&plan](const char* value) {
+    return count(writeIfc(plan).text,
+                 "'IsExternal',$,IFCBOOLEAN(" + std::string(value));
+  };
+  EXPECT_EQ(external(".T."), 6u);
+  EXPECT_EQ(external(".F."), 1u);
+  plan.rooms.push_back(roomOf(rectangle(0, 5, 8, 8), 2.5, 3)); // beyond a shaft of 2 m
+  EXPECT_EQ(external(".F."), 1u + 2u + 1u);
+  plan.openings.push_back(
+      {OpeningKind::Window, {1, 0}, {{1, 2}}, {1, 3.1}, {2, 3.1}, 1, 2, 0, 0.2});
+  EXPECT_EQ(external(".F."), 1u + 1u + 1u) << "a window leads out into it";
+  const IfcModel model = writeIfc(plan);
+  EXPECT_EQ(linesOf(model.text, "IFCWINDOWTYPE").size(), 1u);
+  EXPECT_EQ(linesOf(model.text, "IFCRELDEFINESBYTYPE").size(), 1u);
+  EXPECT_EQ(count(linesOf(model.text, "IFCWINDOW").at(0), ",'W1',1.,1.,"), 1u);
 }
 
 TEST(WriteIfc, AStairHasItsFlights)
@@ -121,7 +192,7 @@ TEST(WriteIfc, AnOpeningWithoutAWallIsTold)
   EXPECT_EQ(model.openings, 0u);
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_EQ(model.warnings[0].kind, WarningKind::NotInIfc);
-  EXPECT_EQ(model.warnings[0].reason, "1");
+  EXPECT_EQ(model.warnings[0].reason, "P1");
 }
 
 TEST(WriteIfc, RoomsThatTouchAtAPassageEndAtAVirtualElement)

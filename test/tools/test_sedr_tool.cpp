@@ -32,7 +32,7 @@ expectSolidAndDrawings(const std::string& model, const nlohmann::json& told)
   }
   EXPECT_NE(bytesOf(model + "solid.mtl").find("newmtl wall"), std::string::npos);
   EXPECT_NE(bytesOf(model + "floorplan.svg").find("Room 1"), std::string::npos);
-  EXPECT_NE(bytesOf(model + "floorplan.dxf").find("AC1009"), std::string::npos);
+  EXPECT_NE(bytesOf(model + "floorplan.dxf").find("AC1027"), std::string::npos);
   const std::string ifc = bytesOf(model + "model.ifc");
   EXPECT_NE(ifc.find("FILE_SCHEMA(('IFC4'))"), std::string::npos);
   EXPECT_NE(ifc.find("=IFCSPACE("), std::string::npos);
@@ -96,6 +96,28 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
   EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 30, 0.4);
   expectSolidAndDrawings(in("model/"), report.at("rooms")[0].at("solid"));
+  const auto& rooms = report.at("schedules").at("rooms");
+  std::string line;
+  for (const auto& text : rooms.at("rows").at(0))
+    line += (line.empty() ? "" : ",") + text.get<std::string>();
+  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("\r\n" + line + "\r\n"),
+            std::string::npos);
+  EXPECT_EQ(report.at("schedules").at("walls").at("rows").size(), 4u);
+  EXPECT_EQ(bytesOf(in("model/openings.csv")).rfind("number,kind,", 0), 0u);
+}
+
+TEST_F(SedrTool, AProjectHasItsOwnGuids)
+{
+  const std::string scan = scanOf().pcd(false);
+  const auto guidOf = [&](const Strings& options) {
+    EXPECT_EQ(onFile(scan, options).exit_code, 0);
+    const std::string ifc = bytesOf(in("model/model.ifc"));
+    return ifc.substr(ifc.find("=IFCPROJECT('") + 13, 22);
+  };
+  const std::string mill = guidOf({"--no-mesh", "--project", "Mill Lane"});
+  EXPECT_NE(bytesOf(in("model/floorplan.svg")).find(">Mill Lane<"), std::string::npos);
+  EXPECT_EQ(mill, guidOf({"--no-mesh", "--project", "Mill Lane", "--threads", "1"}));
+  EXPECT_NE(mill, guidOf({"--no-mesh", "--project", "Park Road"}));
 }
 
 TEST_F(SedrTool, PriorsAreSetByNameAndReported)

@@ -2,6 +2,7 @@
 #include "../base/number_text.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 namespace pcl::sedr {
 namespace {
@@ -41,14 +42,16 @@ PlanEditor::setOpening(std::uint32_t room,
   return apply(room, [&](Floorplan& plan, PlanRoom&) -> std::string {
     if (kind == OpeningKind::Unknown)
       return "an opening is a door, a window or a passage";
-    return changeNearest(plan, room, place, [kind](auto opening) {
+    return changeNearest(plan, room, place, [&plan, kind](auto opening) {
       if (kind != OpeningKind::Door) {
         opening->hinge = OpeningHinge::Unknown;
         opening->swing = 0;
         opening->state = OpeningState::Unknown;
       }
+      opening->number = opening->kind == kind ? opening->number : 0;
       opening->kind = kind;
       opening->confidence = 1;
+      numberOpenings(plan);
     });
   });
 }

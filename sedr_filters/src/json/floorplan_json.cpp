@@ -144,6 +144,7 @@ from_json(const Json& json, Floorplan& plan)
   readIfThere(json, "openings", plan.openings);
   if (json.contains("doorways"))
     addDoorways(json.at("doorways"), plan);
+  numberOpenings(plan);
   if (json.contains("names") && json["names"].is_object())
     for (const auto& [room, name] : json["names"].items()) {
       std::uint32_t id = 0;
@@ -215,12 +216,17 @@ documentToJson(const PlanDocument& document)
             {"rooms", rooms},
             {"storeys", storeysOf(plan)},
             {"stairs", stairsToJson(plan)}};
-  if (!plan.openings.empty())
-    json["openings"] = plan.openings;
+  if (!plan.openings.empty()) {
+    Floorplan numbered = plan;
+    numberOpenings(numbered);
+    json["openings"] = numbered.openings;
+  }
   if (document.levelling)
     json["levelling"] = levellingToJson(*document.levelling);
   if (document.max_wall != Priors().max_wall)
     json["max_wall"] = document.max_wall;
+  if (!document.scan.empty())
+    json["scan"] = document.scan;
   if (!names.empty())
     json["names"] = names;
   // A name may contain any bytes; invalid UTF-8 becomes U+FFFD.
@@ -243,6 +249,7 @@ documentFromJson(const std::string& text, std::string& problem)
     if (json.contains("max_wall"))
       problem = setPrior("max_wall", json["max_wall"].get<double>(), priors);
     document.max_wall = priors.max_wall;
+    readIfThere(json, "scan", document.scan);
     return problem.empty() ? document : PlanDocument();
   }
   catch (const std::exception& error) {

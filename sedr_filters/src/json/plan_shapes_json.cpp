@@ -214,6 +214,14 @@ nameOf(OpeningKind kind)
   return kinds[static_cast<std::size_t>(kind)];
 }
 
+std::string
+markOf(const PlanOpening& opening)
+{
+  constexpr char letters[] = "ODWP"; // in the order of OpeningKind
+  return letters[static_cast<std::size_t>(opening.kind)] +
+         std::to_string(opening.number);
+}
+
 void
 to_json(Json& json, const PlanOpening& opening)
 {
@@ -224,6 +232,7 @@ to_json(Json& json, const PlanOpening& opening)
   if (opening.rise > 0)
     head["rise"] = opening.rise;
   json = {{"kind", nameOf(opening.kind)},
+          {"number", opening.number},
           {"rooms", opening.rooms},
           {"walls", walls},
           {"start", opening.start},
@@ -257,6 +266,7 @@ from_json(const Json& json, PlanOpening& opening)
   json.at("top").get_to(opening.top);
   opening.rise = json.value("head", Json::object()).value("rise", 0.0);
   opening.depth = json.value("depth", 0.0);
+  opening.number = json.value("number", 0U);
   opening.swing = json.value("swing", 0U);
   opening.confidence = json.value("confidence", 0.0);
   opening.residual = json.value("residual", 0.0);

@@ -98,7 +98,7 @@ constexpr std::array<Words, 41> words{{
     {"no_solid", "rooms have no solid", "", "it has no solid: {reason}"},
     {"not_in_ifc", "", "",
      "of {1.0} openings {0.0} are not in the IFC, as they are in none of its walls: "
-     "number {reason} of floorplan.json"},
+     "{reason}"},
     {"ifc_loss", "things are not in the IFC", "", "{reason}"},
     {"mesh", "meshes are not closed, or closed by a guess", "", "{reason}"},
     {"mesh_volume", "rooms have meshes and solids of different volumes", "",

@@ -63,6 +63,7 @@ clearHeight(const PlanRoom& room)
 {
   constexpr double usual_step = 0.05;
   constexpr double max_samples = 1e6;
+  constexpr double rounding = 1e-6; // metres
   const Eigen::AlignedBox2d box = boundsOf(room.boundary);
   ClearHeight found;
   if (box.isEmpty())
@@ -80,12 +81,16 @@ clearHeight(const PlanRoom& room)
         found.least = height;
         found.lowest = p;
       }
+      found.greatest = std::max(found.greatest, height);
+      found.share_2_0 += height >= 2.0 - rounding ? 1 : 0;
+      found.share_1_5 += height >= 1.5 - rounding ? 1 : 0;
       found.mean += height;
       heights.push_back(height);
     }
   if (heights.empty())
     return found;
-  found.mean /= static_cast<double>(heights.size());
+  for (double* sum : {&found.mean, &found.share_2_0, &found.share_1_5})
+    *sum /= static_cast<double>(heights.size());
   found.usual = middleValue(std::move(heights));
   return found;
 }
@@ -101,6 +106,20 @@ volumeOf(const PlanRoom& room, double mean_height)
               (niche.top.heightAt(somewhere) - niche.bottom.heightAt(somewhere));
   }
   return volume;
+}
+
+double
+sillOf(const Floorplan& plan, const PlanOpening& opening)
+{
+  constexpr double inside = 0.05; // metres
+  const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+  const Eigen::Vector2d left(-way.y(), way.x());
+  for (const std::size_t side : {0U, 1U})
+    if (const PlanRoom* const room = findRoom(plan, opening.rooms[side]))
+      return opening.bottom -
+             room->floorAt((opening.start + opening.end) / 2 +
+                           (side == 0 ? 1 : -1) * (opening.depth / 2 + inside) * left);
+  return 0;
 }
 
 std::vector<OpeningLeaf>

@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -190,6 +191,27 @@ partOf(const Floorplan& plan, const PlanStorey& storey)
   std::copy_if(plan.openings.begin(), plan.openings.end(),
                std::back_inserter(part.openings), touches);
   return part;
+}
+
+void
+numberOpenings(Floorplan& plan)
+{
+  std::array<std::uint32_t, 4> last{};                           // of each kind
+  std::map<std::uint32_t, std::vector<PlanOpening*>> unnumbered; // by storey
+  const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
+  for (PlanOpening& opening : plan.openings) {
+    std::uint32_t& largest = last[static_cast<std::size_t>(opening.kind)];
+    largest = std::max(largest, opening.number);
+    std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
+    for (const std::uint32_t room : opening.rooms)
+      if (const auto storey = storeys.find(room); storey != storeys.end())
+        lowest = std::min(lowest, storey->second);
+    if (opening.number == 0)
+      unnumbered[lowest].push_back(&opening);
+  }
+  for (const auto& [storey, openings] : unnumbered)
+    for (PlanOpening* opening : openings)
+      opening->number = ++last[static_cast<std::size_t>(opening->kind)];
 }
 
 std::string

@@ -4,6 +4,7 @@
 #include "../plan/plan_bounds.h"
 #include "face_pairs.h"
 
+#include "../base/middle_value.h"
 #include "../grids/place_table.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 namespace pcl::sedr {
 namespace {
@@ -30,6 +32,7 @@ public:
       rooms_near_.addIn(boundsOf(plan.rooms[r].boundary),
                         static_cast<std::uint32_t>(r));
     rooms_near_.finish();
+    readReveals();
   }
 
   std::vector<PlanWall> find()
@@ -38,7 +41,7 @@ public:
     walls_ = std::move(pairs.walls);
     for (const PlanWall& free : pairs.free)
       if (!continueWall(free))
-        addAssumed(free);
+        addSingle(free);
     for (PlanWall& wall : walls_)
       if (!elementOf(plan_, wall.face).isArc())
         wall.outline = squareOutline(wall);
@@ -77,17 +80,57 @@ private:
     return false;
   }
 
-  /** @brief Adds a wall of the assumed thickness, or thinner if another room is
-   * near. */
-  void addAssumed(const PlanWall& free)
+  /** @brief Finds the deepest reveal of each wall that leads outside, and the usual one
+   * of each storey. */
+  void readReveals()
   {
-    double thickness = parameters_.assumed_thickness;
-    const double thinnest =
-        std::max(parameters_.min_thickness, parameters_.min_assumed_share * thickness);
-    while (thickness >= thinnest && reachesRoom(free, thickness))
-      thickness /= 2;
-    if (thickness >= thinnest)
-      walls_.push_back({free.face, std::nullopt, free.stretch, thickness});
+    std::map<std::uint32_t, std::vector<double>> of_storey;
+    for (const PlanOpening& opening : plan_.openings)
+      if (opening.leadsOutside() && opening.hasSeenReveals())
+        for (const OpeningWall& wall : opening.walls) {
+          double& deepest = reveals_[{wall.room, wall.element}];
+          deepest = std::max(deepest, opening.depth);
+        }
+    if (reveals_.empty())
+      return;
+    storey_of_ = storeyOfRooms(plan_);
+    for (const auto& [wall, depth] : reveals_)
+      of_storey[storey_of_[wall.first]].push_back(depth);
+    for (auto& [storey, depths] : of_storey)
+      usual_reveal_[storey] = middleValue(depths);
+  }
+
+  /** @brief Returns a wall of one face, with the thickness that reveals show. */
+  PlanWall withThickness(const PlanWall& free) const
+  {
+    PlanWall wall{free.face, std::nullopt, free.stretch, parameters_.assumed_thickness,
+                  ThicknessSource::Assumed};
+    const std::uint32_t room = plan_.rooms[free.face.room].id;
+    const auto storey = storey_of_.find(room);
+    const auto usual = storey == storey_of_.end() ? usual_reveal_.end()
+                                                  : usual_reveal_.find(storey->second);
+    if (usual == usual_reveal_.end())
+      return wall;
+    const auto own =
+        free.face.loop == 0 ? reveals_.find({room, free.face.element}) : reveals_.end();
+    const bool is_own = own != reveals_.end() && own->second >= usual->second;
+    wall.thickness = is_own ? own->second : usual->second;
+    wall.source = is_own ? ThicknessSource::Reveals : ThicknessSource::Storey;
+    return wall;
+  }
+
+  /** @brief Adds a wall of one face, thinner if another room is near. */
+  void addSingle(const PlanWall& free)
+  {
+    PlanWall wall = withThickness(free);
+    const double thinnest = std::max(parameters_.min_thickness,
+                                     parameters_.min_assumed_share * wall.thickness);
+    while (wall.thickness >= thinnest && reachesRoom(free, wall.thickness)) {
+      wall.thickness /= 2;
+      wall.source = ThicknessSource::Assumed;
+    }
+    if (wall.thickness >= thinnest)
+      walls_.push_back(wall);
   }
 
   bool reachesRoom(const PlanWall& free, double thickness) const
@@ -180,6 +223,10 @@ private:
   const Floorplan& plan_;
   WallParameters parameters_;
   PlaceTable rooms_near_;
+  std::map<std::pair<std::uint32_t, std::size_t>, double>
+      reveals_; ///< deepest, by room and element
+  std::map<std::uint32_t, std::uint32_t> storey_of_;
+  std::map<std::uint32_t, double> usual_reveal_; ///< by storey
   std::vector<PlanWall> walls_;
 };
 

@@ -63,19 +63,29 @@ struct Stretch {
   double middle() const { return (from + to) / 2; }
 };
 
-/** @brief A wall: two faces with a thickness, or one with an assumed thickness. It lies
- * behind its face: to the right of the element's direction. */
+/** @brief From what the thickness of a wall is known. */
+enum class ThicknessSource {
+  Faces,   ///< both were seen
+  Reveals, ///< those of an opening in it, seen from the one face
+  Storey,  ///< the reveals of other walls of its storey that lead outside
+  Assumed
+};
+
+/** @brief A wall: two faces with a thickness, or one with the thickness that reveals
+ * show, else an assumed one. It lies behind its face: to the right of the element's
+ * direction. */
 struct PlanWall {
   WallFace face;
   std::optional<WallFace> other; ///< the opposite face, if it was seen
   Stretch stretch;               ///< on the face's element
   double thickness = 0;          ///< mean, metres
+  ThicknessSource source = ThicknessSource::Faces;
   /** @brief Outline of a straight wall: both ends of the face, then the far sides of
    * the end and of the start. Frame: origin at the start of the stretch on the face, x
    * along the face, y into the room. */
   std::array<Eigen::Vector2d, 4> outline{};
 
-  bool isAssumed() const { return !other; }
+  bool isAssumed() const { return source == ThicknessSource::Assumed; }
 };
 
 /** @brief Parameters of walls, metres. */
@@ -97,7 +107,11 @@ struct WallParameters {
  * at the end of such a wall, up to 0.7 m, is where other walls join; the wall is
  * extended over it. Straight walls that meet at a corner of a room are mitred. Faces
  * nearer than the minimum thickness have no wall, nor has a face with another room that
- * near behind it. Cost: faces squared.
+ * near behind it.
+ *
+ * A reveal that leads outside ends at a pane or at the outer face, so a wall is at
+ * least as thick as the deepest of its own, and as the usual one of its storey. Cost:
+ * faces squared.
  */
 std::vector<PlanWall> findWalls(const Floorplan& plan,
                                 const WallParameters& parameters = {});

@@ -170,6 +170,7 @@ ChainRun::findOpenings(StageReport& report)
           points, has_raw ? chain_.floorplan_fitting.getRawIndices() : nullptr,
           *chain_.plan))
     return fail(chain_.opening_detection.getErrorMessage());
+  numberOpenings(*chain_.plan);
   for (PlanWarning& warning : linksWithoutOpening(chain_.getBuilding(), *chain_.plan))
     warn(std::move(warning));
   for (PlanWarning& warning :

@@ -146,8 +146,7 @@ addLeftOut(const Building& building,
   for (const LeftOut& thing : building.left_out) {
     const bool is_beyond_door = std::any_of(
         plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
-          return opening.kind != OpeningKind::Window &&
-                 (opening.rooms[0] == 0 || opening.rooms[1] == 0) &&
+          return opening.kind != OpeningKind::Window && opening.leadsOutside() &&
                  opening.bottom < thing.ceiling && opening.top > thing.floor &&
                  ((opening.start + opening.end) / 2 - thing.at).norm() <
                      std::sqrt(thing.area) + reach;

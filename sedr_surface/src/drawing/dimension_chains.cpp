@@ -11,7 +11,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-constexpr double min_step = 0.05; ///< metres; less has no dimension of its own
 
 /** @brief The wall that is visible at a place along a side, null for none, and its
  * depth there. */

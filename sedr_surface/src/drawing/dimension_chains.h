@@ -10,6 +10,8 @@
 
 namespace pcl::sedr {
 
+constexpr double min_step = 0.05; ///< metres; less has no dimension of its own
+
 /** @brief Returns the direction along a side of a drawing, to the right or upwards.
  * @param side unit vector away from the plan */
 inline Eigen::Vector2d

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_drawing.h"
 
+#include "../walls/wall_band.h"
 #include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -41,6 +41,23 @@ public:
       if (!isIsland(room, column))
         addArea(styleOf(PlanLayer::Column).line, {column});
     addWalls(room);
+  }
+
+  /** @brief Fills a wall, lightly if its thickness was assumed. */
+  void addBody(const PlanWall& wall)
+  {
+    const PlanArea band = bandOf(drawing_.plan, wall);
+    std::vector<PlanLoop> loops = band.holes;
+    loops.push_back(band.boundary);
+    addArea(wall.isAssumed() ? looks::assumed_body : looks::wall_body, loops);
+  }
+
+  /** @brief Draws the far sides of walls, over all bodies. */
+  void addFarSides()
+  {
+    for (const PlanLine& line : drawing_.lines)
+      if (line.room == 0)
+        sheet_.add(SheetPath{styleOf(line.layer).line, {{{frame_(line.element)}}}});
   }
 
   /** @brief Draws the outline of a room, guesses in their own look over it. */
@@ -214,19 +231,24 @@ addTitleBlock(Sheet& sheet, const PlanDrawing& drawing, const DrawingSettings& s
                ? words
                : "";
   };
+  const bool are_assumed =
+      std::any_of(drawing.walls.begin(), drawing.walls.end(),
+                  [](const PlanWall& wall) { return wall.isAssumed(); });
   const SheetLayout& layout = drawing.layout;
   TitleStrip strip(sheet, layout);
-  strip.addCell(0, 0, 0.45, "Title", title, large_font);
-  strip.addCell(0, 0.45, 0.75, "Storey", storey.empty() ? "all" : storey, large_font);
-  strip.addCell(0, 0.75, 1, "Scale",
+  strip.addCell(0, 0, 0.3, "Title", title, large_font);
+  strip.addCell(0, 0.3, 0.5, "Project", settings.project, large_font);
+  strip.addCell(0, 0.5, 0.7, "Client", settings.client, large_font);
+  strip.addCell(0, 0.7, 0.85, "Storey", storey.empty() ? "all" : storey, large_font);
+  strip.addCell(0, 0.85, 1, "Scale",
                 "1:" + shortDecimalText(layout.scale, 2) + " " + layout.paper,
                 large_font);
   strip.addCell(1, 0, 0.3, "Rooms, floor area",
                 std::to_string(rooms) + (rooms == 1 ? " room, " : " rooms, ") +
                     decimalText(area, 2) + " m²");
-  for (const auto& [from, caption] :
-       {std::make_pair(0.3, "Date"), {0.4, "Drawn"}, {0.5, "Checked"}})
-    strip.addCell(1, from, from + 0.1, caption, "");
+  strip.addCell(1, 0.3, 0.4, "Date", settings.date);
+  strip.addCell(1, 0.4, 0.5, "Drawn", settings.drawn_by);
+  strip.addCell(1, 0.5, 0.6, "Checked", "");
   strip.addCell(1, 0.6, 1, "", "");
   strip.addScaleBar(1, 0.6);
   const bool has_origin = !settings.origin.isZero();
@@ -236,7 +258,8 @@ addTitleBlock(Sheet& sheet, const PlanDrawing& drawing, const DrawingSettings& s
                   "overhead. h: height of the ceiling above the floor.") +
           explains(PlanLayer::Headroom, " Dotted: headroom.") +
           explains(PlanLayer::Guess, " Grey, dashed: walls inferred, not measured.") +
-          " Walls filled where both faces were scanned.");
+          explains(PlanLayer::Outside, " Outer walls as thick as their reveals.") +
+          (are_assumed ? " Light: thickness of the wall assumed." : ""));
   if (has_origin)
     strip.addCell(2, 0.65, 1, "Origin of coordinates, m", settings.origin.text(", "));
   strip.addNorth(settings.origin);
@@ -247,23 +270,26 @@ addTitleBlock(Sheet& sheet, const PlanDrawing& drawing, const DrawingSettings& s
 PlanDrawing::PlanDrawing(const Floorplan& whole,
                          const DrawingSettings& settings,
                          double finest)
-    : plan(settings.storey ? partOf(whole, *settings.storey) : whole)
-    , layout(layoutOf(whole, settings))
+    : layout(layoutOf(whole, settings))
 {
+  Floorplan numbered = whole;
+  numberOpenings(numbered);
+  plan = settings.storey ? partOf(numbered, *settings.storey) : std::move(numbered);
   if (plan.rooms.empty())
     return;
   const PlanFrame& frame = layout.frame;
   const std::vector<CeilingLines> ceilings =
       ceilingsOf(plan, finest > 0 ? finest : 1 / frame.scale);
-  lines = planLines(plan, ceilings);
-  openings = openingGaps(plan);
+  walls = findWalls(plan, {settings.max_wall});
+  lines = planLines(plan, walls, ceilings);
+  openings = openingGaps(plan, walls);
   TextPlaces places(layout.size);
   dimensions = placedRows(rowsAround(plan, frame.turn, settings.max_wall),
-                          boundsOf(plan, frame), frame, places);
+                          boundsOf(plan, walls, frame), frame, places);
   for (const PlanLine& line : lines) {
-    const bool is_solid = line.layer == PlanLayer::Wall ||
-                          line.layer == PlanLayer::Guess ||
-                          line.layer == PlanLayer::Column;
+    const bool is_solid =
+        line.layer == PlanLayer::Wall || line.layer == PlanLayer::Outside ||
+        line.layer == PlanLayer::Guess || line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
   texts = placedTexts(plan, ceilings, lines, openings, frame, places);
@@ -283,8 +309,9 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
     return sheet;
   PlanPainter painter(sheet, drawing);
   sheet.add(SheetGroup{"walls"});
-  for (const std::vector<PlanLoop>& body : wallBodies(drawing.plan, settings.max_wall))
-    painter.addArea(looks::wall_body, body);
+  for (const PlanWall& wall : drawing.walls)
+    painter.addBody(wall);
+  painter.addFarSides();
   for (const PlanRoom& room : drawing.plan.rooms) {
     sheet.add(SheetGroup{"room_" + std::to_string(room.id)});
     painter.addRoom(room);

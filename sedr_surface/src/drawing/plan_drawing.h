@@ -13,6 +13,7 @@ namespace pcl::sedr {
 struct PlanDrawing {
   Floorplan plan; ///< what is drawn
   SheetLayout layout;
+  std::vector<PlanWall> walls;
   std::vector<PlanLine> lines;            ///< metres
   std::vector<OpeningGap> openings;       ///< metres
   std::vector<SheetDimension> dimensions; ///< beside the plan, on the sheet

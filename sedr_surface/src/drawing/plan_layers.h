@@ -11,7 +11,8 @@ namespace pcl::sedr {
 /** @brief What a line, an area or a text of a drawing tells of. */
 enum class PlanLayer {
   Wall,
-  Guess, ///< walls of which hardly anything was measured
+  Outside, ///< far sides of walls with one seen face, where their thickness is known
+  Guess,   ///< walls of which hardly anything was measured
   Column,
   Niche,
   Door,
@@ -43,6 +44,7 @@ constexpr SheetColour room_colour = 0xf6f3ec;
 constexpr SheetColour blue = 0x2b62a8;
 inline const SheetLook room{room_colour};
 inline const SheetLook wall_body{0xbdb8ae};
+inline const SheetLook assumed_body{0xe6e3dc};
 inline const SheetLook jamb{no_colour, ink, 0.25};
 inline const SheetLook leaf{no_colour, ink, 0.5};
 inline const SheetLook thin{no_colour, 0x555555, 0.15};
@@ -52,8 +54,9 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 16> layer_styles{
+inline const std::array<LayerStyle, 17> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
+     {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
      {"A-COLS", 1, false, {0x7d7d7d, ink, 0.35}, 0x444444},
      {"A-WALL-NICH", 6, false, {looks::room_colour, 0x333333, 0.3}, ink},

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_lines.h"
+#include "../walls/wall_band.h"
 #include "text_spot.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -156,41 +158,41 @@ private:
   std::vector<PlanLoop> stairs_; ///< that lead up from it
 };
 
-Eigen::Vector2d
-onto(const PlanElement& face, const Eigen::Vector2d& place)
-{
-  return face.pointAt(face.project(place));
-}
-
-/** @brief Cuts a wall's outline off where its faces end, unless other walls that were
- * seen meet it there: at the outside of a building the corner was not seen.
- * @param near,far both corners at one end of the wall */
+/** @brief Adds the far sides of walls with one seen face, without what runs within
+ * another wall or a room. */
 void
-cutOff(const Floorplan& plan,
-       const PlanElement& face,
-       const PlanElement& other,
-       Eigen::Vector2d& near,
-       Eigen::Vector2d& far)
+addFarSides(const Floorplan& plan,
+            const std::vector<PlanWall>& walls,
+            std::vector<PlanLine>& lines)
 {
-  constexpr double reach = 0.35; // metres along the wall and across it
-  const Eigen::Vector2d middle = (near + far) / 2;
-  const Eigen::Vector2d along = reach * (face.end - face.start).normalized();
-  const Eigen::Vector2d across(-along.y(), along.x());
-  int rooms = 0; // in four directions; at the outside they are two at most
-  for (const double a : {-1, 1})
-    for (const double b : {-1, 1})
-      rooms +=
-          std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                      [&](const PlanRoom& room) {
-                        return room.boundary.contains(middle + a * along + b * across);
-                      })
-              ? 1
-              : 0;
-  if (rooms >= 3)
-    return;
-  far = onto(other, far);
-  near = onto(face, far);
-  far = onto(other, near);
+  constexpr double beyond = 0.001; // metres
+  std::vector<PlanLoop> covers;
+  for (const PlanRoom& room : plan.rooms)
+    covers.push_back(room.boundary);
+  for (const PlanWall& wall : walls)
+    covers.push_back(bandOf(plan, wall).boundary);
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const PlanLoop& cover : covers)
+    boxes.push_back(boundsOf(cover));
+  for (const PlanWall& wall : walls) {
+    if (wall.other)
+      continue;
+    const PlanElement far = farSideOf(plan, wall);
+    const auto isFree = [&](double s) {
+      const Eigen::Vector2d p = far.pointAt(s) - beyond * far.normalAt(s);
+      for (std::size_t k = 0; k < covers.size(); ++k)
+        if (boxes[k].contains(p) && covers[k].contains(p))
+          return false;
+      return true;
+    };
+    const PlanLayer layer = wall.isAssumed() || isGuess(plan, wall.face)
+                                ? PlanLayer::Guess
+                                : PlanLayer::Outside;
+    forEachPart(far, isFree, [&](const PlanElement& part, bool is_free) {
+      if (is_free)
+        lines.push_back({part, layer});
+    });
+  }
 }
 
 } // namespace
@@ -205,9 +207,12 @@ ceilingsOf(const Floorplan& plan, double finest)
 }
 
 std::vector<PlanLine>
-planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
+planLines(const Floorplan& plan,
+          const std::vector<PlanWall>& walls,
+          const std::vector<CeilingLines>& ceilings)
 {
   std::vector<PlanLine> all;
+  addFarSides(plan, walls, all);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
     RoomLines lines(plan, room, all);
@@ -239,22 +244,46 @@ planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
 
 namespace {
 
-/** @brief Returns the gap of an opening, as deep as its reveals. */
+/** @brief Returns the thickness of the wall of an opening that leads outside; the depth
+ * of others. */
+double
+depthOf(const Floorplan& plan,
+        const std::vector<PlanWall>& walls,
+        const PlanOpening& opening)
+{
+  if (!opening.leadsOutside())
+    return opening.depth;
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+  for (const PlanWall& wall : walls)
+    for (const OpeningWall& in : opening.walls) {
+      const double s = elementOf(plan, wall.face).project(middle);
+      if (!wall.other && wall.face.loop == 0 && wall.face.element == in.element &&
+          plan.rooms[wall.face.room].id == in.room && s >= wall.stretch.from &&
+          s <= wall.stretch.to)
+        return wall.thickness;
+    }
+  return opening.depth;
+}
+
+/** @brief Returns the gap of an opening, from the face that was seen on. */
 OpeningGap
-gapOf(const Floorplan& plan, const PlanOpening& opening)
+gapOf(const Floorplan& plan, const PlanOpening& opening, double depth)
 {
   const Eigen::Vector2d way = (opening.end - opening.start) / opening.width();
   const Eigen::Vector2d left(-way.y(), way.x());
-  const Eigen::Vector2d half = opening.depth / 2 * left;
+  const double beyond = depth - opening.depth / 2; // from the middle of the wall
+  const Eigen::Vector2d to_left =
+      (opening.rooms[0] == 0 ? beyond : opening.depth / 2) * left;
+  const Eigen::Vector2d to_right =
+      (opening.rooms[0] == 0 ? opening.depth / 2 : beyond) * left;
   OpeningGap gap;
-  gap.corners = {opening.start + half, opening.end + half, opening.end - half,
-                 opening.start - half};
+  gap.corners = {opening.start + to_left, opening.end + to_left, opening.end - to_right,
+                 opening.start - to_right};
+  gap.mark = markOf(opening);
   gap.width = opening.width();
   gap.height = opening.height();
   gap.kind = opening.kind;
-  if (const PlanRoom* const room = findRoom(plan, opening.rooms[0]))
-    gap.sill = opening.bottom -
-               room->floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
+  gap.sill = sillOf(plan, opening);
   for (const OpeningLeaf& door : leavesOf(opening)) {
     PlanElement swing = segment(door.open, door.shut);
     swing.centre = door.hinge;
@@ -285,51 +314,66 @@ fillingOf(const OpeningGap& gap)
   return lines;
 }
 
+std::vector<PlanElement>
+linesOf(const OpeningGap& gap)
+{
+  const auto& c = gap.corners;
+  std::vector<PlanElement> lines{segment(c[0], c[3]), segment(c[1], c[2])};
+  if (gap.kind == OpeningKind::Window) // both faces go on below it
+    lines.insert(lines.end(), {segment(c[0], c[1]), segment(c[3], c[2])});
+  const std::vector<PlanElement> filling = fillingOf(gap);
+  lines.insert(lines.end(), filling.begin(), filling.end());
+  lines.insert(lines.end(), gap.leaf.begin(), gap.leaf.end());
+  return lines;
+}
+
+namespace {
+
+/** @brief Returns the distance of a place from the line or circle of an element. */
+double
+offLine(const PlanElement& e, const Eigen::Vector2d& p)
+{
+  return e.isArc()
+             ? std::abs((p - e.centre).norm() - e.radius)
+             : Eigen::Hyperplane<double, 2>::Through(e.start, e.end).absDistance(p);
+}
+
+} // namespace
+
+std::vector<PlanElement>
+cutAtGaps(const PlanElement& element, const std::vector<OpeningGap>& gaps)
+{
+  constexpr double on_face = 0.05; // metres between an arc and the end of its opening
+  constexpr double shortest = 1e-4;
+  if (element.length() < shortest)
+    return {element};
+  std::vector<std::pair<double, double>> cuts;
+  for (const OpeningGap& gap : gaps)
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(3, 2)})
+      if (offLine(element, gap.corners[a]) < on_face &&
+          offLine(element, gap.corners[b]) < on_face)
+        cuts.push_back(std::minmax(
+            {element.project(gap.corners[a]), element.project(gap.corners[b])}));
+  std::sort(cuts.begin(), cuts.end());
+  cuts.emplace_back(element.length(), element.length());
+  std::vector<PlanElement> parts;
+  double from = 0;
+  for (const auto& [start, end] : cuts) {
+    if (start - from > shortest)
+      parts.push_back(
+          from == 0 && start == element.length() ? element : element.part(from, start));
+    from = std::max(from, end);
+  }
+  return parts;
+}
+
 std::vector<OpeningGap>
-openingGaps(const Floorplan& plan)
+openingGaps(const Floorplan& plan, const std::vector<PlanWall>& walls)
 {
   std::vector<OpeningGap> gaps;
   for (const PlanOpening& opening : plan.openings)
-    gaps.push_back(gapOf(plan, opening));
+    gaps.push_back(gapOf(plan, opening, depthOf(plan, walls, opening)));
   return gaps;
-}
-
-std::vector<std::vector<PlanLoop>>
-wallBodies(const Floorplan& plan, double max_wall)
-{
-  std::vector<std::vector<PlanLoop>> bodies;
-  for (const PlanWall& wall : findWalls(plan, {max_wall})) {
-    if (wall.isAssumed())
-      continue;
-    const PlanElement& face = elementOf(plan, wall.face);
-    const PlanElement& other = elementOf(plan, *wall.other);
-    PlanLoop body;
-    if (!face.isArc()) {
-      const WallFrame frame = frameOf(plan, wall);
-      std::vector<Eigen::Vector2d> corners;
-      for (const Eigen::Vector2d& corner : wall.outline)
-        corners.push_back(frame.toPlan(corner));
-      cutOff(plan, face, other, corners[0], corners[3]);
-      cutOff(plan, face, other, corners[1], corners[2]);
-      body = loopOf(corners);
-    }
-    else if (face.start == face.end && other.isArc() && other.start == other.end) {
-      bodies.push_back({{{face}}, {{other}}});
-      continue;
-    }
-    else {
-      // The faces run in opposite directions, so that both parts form a loop.
-      const PlanElement near = face.part(std::max(wall.stretch.from, 0.0),
-                                         std::min(wall.stretch.to, face.length()));
-      const auto [from, to] =
-          std::minmax({other.project(near.start), other.project(near.end)});
-      const PlanElement far = other.part(from, to);
-      body.elements = {near, segment(near.end, far.start), far,
-                       segment(far.end, near.start)};
-    }
-    bodies.push_back({body});
-  }
-  return bodies;
 }
 
 } // namespace pcl::sedr

@@ -3,6 +3,7 @@
 
 #include "../overhead/ceiling_lines.h"
 #include "plan_layers.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/tilted_walls.h>
@@ -30,12 +31,15 @@ std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
  * of the ceiling where it is the underside of a stair. An arrow leads up each slope of
  * the floor, with its share as note.
  * The head of a tilted wall has its tilt as note.
+ * @param walls from findWalls(): of those with one seen face the far side is drawn
  * @param ceilings from ceilingsOf() */
 std::vector<PlanLine> planLines(const Floorplan& plan,
+                                const std::vector<PlanWall>& walls,
                                 const std::vector<CeilingLines>& ceilings);
 
 /** @brief An opening for drawing: a gap through its wall, from face to face. */
 struct OpeningGap {
+  std::string mark; ///< its number, see markOf()
   std::array<Eigen::Vector2d, 4>
       corners;       ///< around the gap: along a face, back; metres
   double width = 0;  ///< metres
@@ -56,13 +60,18 @@ layerOf(const OpeningGap& gap)
  * of a door whose leaves are not known; none for other gaps. */
 std::vector<PlanElement> fillingOf(const OpeningGap& gap);
 
-/** @brief Returns the gaps of the openings of a plan, as deep as their reveals. */
-std::vector<OpeningGap> openingGaps(const Floorplan& plan);
+/** @brief Returns all lines of a gap: its jambs, both faces below a window, what shuts
+ * it, leaves and swings. */
+std::vector<PlanElement> linesOf(const OpeningGap& gap);
 
-/** @brief Returns the bodies of walls with both faces seen: the outline of each, and
- * the hole of a wall that surrounds a room.
- * @param max_wall maximum thickness, metres */
-std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan, double max_wall);
+/** @brief Returns what is left of the face of a wall beside gaps in it. */
+std::vector<PlanElement> cutAtGaps(const PlanElement& element,
+                                   const std::vector<OpeningGap>& gaps);
+
+/** @brief Returns the gaps of the openings of a plan, each through its whole wall; in
+ * none of the walls, as deep as their reveals. */
+std::vector<OpeningGap> openingGaps(const Floorplan& plan,
+                                    const std::vector<PlanWall>& walls);
 
 /** @brief Returns both sides of the head of an arrow, metres. */
 std::array<PlanElement, 2> arrowHead(const Eigen::Vector2d& from,

@@ -229,7 +229,8 @@ public:
   void writeOpening(const OpeningGap& opening)
   {
     const std::string text =
-        decimalText(opening.width, 2) + " x " + decimalText(opening.height, 2) +
+        opening.mark + " " + decimalText(opening.width, 2) + " x " +
+        decimalText(opening.height, 2) +
         (opening.kind == OpeningKind::Window ? " sill " + decimalText(opening.sill, 2)
                                              : "");
     const Eigen::Vector2d half = detail_font * halfSizeOf({text});
@@ -247,12 +248,18 @@ public:
         boxes.push_back(
             {(a + b) / 2 + rows * detail_font * off, half, readableAngle(way)});
     }
-    addFirst(PlanLayer::Dimension, boxes, detail_font, text);
+    if (addFirst(PlanLayer::Dimension, boxes, detail_font, text))
+      return;
+    for (TextBox& box : boxes)
+      box.half_size = detail_font * halfSizeOf({opening.mark});
+    addFirst(PlanLayer::Dimension, boxes, detail_font, opening.mark);
   }
 
   /** @brief Writes the length of a segment, as a dimension, or the radius of an arc. */
   void writeSize(const PlanElement& wall)
   {
+    if (wall.length() < min_step)
+      return;
     if (wall.isArc()) {
       writeAlong(PlanLayer::Dimension, wall, "R " + decimalText(wall.radius, 2));
       return;

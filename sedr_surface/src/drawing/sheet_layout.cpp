@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_layout.h"
 
+#include "../walls/wall_band.h"
 #include "dimension_rows.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -104,7 +105,7 @@ public:
       : settings_(settings)
   {
     layout_.frame.turn = -mainDirection(plan);
-    bounds_ = boundsOf(plan, layout_.frame);
+    bounds_ = boundsOf(plan, findWalls(plan, {settings.max_wall}), layout_.frame);
     if (bounds_.isEmpty() || !bounds_.sizes().allFinite())
       bounds_ = Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
     space_ = spaceOf({});
@@ -197,9 +198,14 @@ PlanFrame::operator()(PlanLoop loop) const
 }
 
 Eigen::AlignedBox2d
-boundsOf(const Floorplan& plan, const PlanFrame& frame)
+boundsOf(const Floorplan& plan,
+         const std::vector<PlanWall>& walls,
+         const PlanFrame& frame)
 {
   Eigen::AlignedBox2d box;
+  for (const PlanWall& wall : walls)
+    if (!wall.other)
+      box.extend(boundsOf(frame(PlanLoop{{farSideOf(plan, wall)}})));
   for (const PlanRoom& room : plan.rooms) {
     box.extend(boundsOf(frame(room.boundary)));
     for (const PlanNiche& niche : room.niches)

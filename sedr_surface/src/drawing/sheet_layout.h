@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
@@ -31,7 +32,9 @@ struct PlanFrame {
 
 /** @brief Returns the bounding box of all that is drawn of a plan, in a frame; empty
  * without rooms. */
-Eigen::AlignedBox2d boundsOf(const Floorplan& plan, const PlanFrame& frame = {});
+Eigen::AlignedBox2d boundsOf(const Floorplan& plan,
+                             const std::vector<PlanWall>& walls,
+                             const PlanFrame& frame = {});
 
 /** @brief Margins of a sheet, millimetres. The wider margin is for binding, as in ISO
  * 5457. */

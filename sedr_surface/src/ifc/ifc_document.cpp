@@ -8,6 +8,7 @@
 #include <boost/uuid/uuid.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace pcl::sedr::ifc {
@@ -33,8 +34,8 @@ IfcDocument::guid(const std::string& name) const
   // The name space is SEDR's own, a random UUID.
   static const boost::uuids::uuid space =
       boost::uuids::string_generator()("6f1c2a54-3f0b-4c8e-9d27-5b6f0e7a9c31");
-  const boost::uuids::uuid uuid =
-      boost::uuids::name_generator_sha1(space)(settings.name + "/" + name);
+  const boost::uuids::uuid uuid = boost::uuids::name_generator_sha1(space)(
+      settings.name + "/" + settings.scan + "/" + name);
   std::string text{letters[uuid.data[0] >> 6], letters[uuid.data[0] & 63]};
   for (int i = 1; i < 16; i += 3) {
     const int three = uuid.data[i] << 16 | uuid.data[i + 1] << 8 | uuid.data[i + 2];
@@ -115,21 +116,44 @@ IfcDocument::addProject(const Origin& origin)
   addStoreys(building, building_place);
 }
 
+namespace {
+
+/** @brief Returns the height of the main floor over half of a storey's area: pits and
+ * landings have heights of their own. */
+double
+usualFloor(const Floorplan& plan, const PlanStorey& storey)
+{
+  std::map<double, double> areas; // by height
+  double half = 0;
+  for (const std::uint32_t id : storey.rooms) {
+    const PlanRoom& room = *findRoom(plan, id);
+    areas[heightsOf(room).low] += room.area();
+    half += room.area() / 2;
+  }
+  auto floor = areas.begin();
+  for (; half > floor->second && std::next(floor) != areas.end(); ++floor)
+    half -= floor->second;
+  return rounded(floor->first);
+}
+
+} // namespace
+
 void
 IfcDocument::addStoreys(StepRef building, StepRef building_placement)
 {
   std::map<std::uint32_t, std::size_t> index_of;
   std::vector<StepRef> refs;
   for (const PlanStorey& storey : storeysOf(plan)) {
-    const StepRef place = shapes.placement(building_placement, {0, 0, storey.floor});
+    const double ground = usualFloor(plan, storey);
+    const StepRef place = shapes.placement(building_placement, {0, 0, ground});
     const std::string name = "storey_" + std::to_string(storey.number);
     const StepRef ref =
         step.add("IFCBUILDINGSTOREY", {guid(name), none, storey.name, none, none, place,
-                                       none, none, symbol("ELEMENT"), storey.floor});
+                                       none, none, symbol("ELEMENT"), ground});
     refs.push_back(ref);
     for (const std::uint32_t room : storey.rooms)
       index_of[room] = storeys.size();
-    storeys.push_back({storey, ref, place, {}, {}});
+    storeys.push_back({storey, ref, place, ground, {}, {}});
   }
   if (!refs.empty())
     relate("IFCRELAGGREGATES", "storeys of building", building, refs);
@@ -143,10 +167,12 @@ IfcDocument::addElement(const std::string& type,
                         std::size_t storey,
                         StepRef placement,
                         StepRef shape,
-                        const std::vector<StepValue>& more)
+                        const std::vector<StepValue>& more,
+                        const std::string& tag)
 {
-  std::vector<StepValue> attributes{guid(name), none,      name,  none,
-                                    none,       placement, shape, none};
+  std::vector<StepValue> attributes{
+      guid(name), none,      name,  none,
+      none,       placement, shape, tag.empty() ? none : StepValue(tag)};
   attributes.insert(attributes.end(), more.begin(), more.end());
   const StepRef element = step.add(type, attributes);
   storeys[storey].elements.push_back(element);
@@ -188,8 +214,9 @@ IfcDocument::addQuantities(StepRef object,
 {
   std::vector<StepRef> values;
   for (const Quantity& quantity : quantities)
-    values.push_back(step.add(std::string("IFCQUANTITY") + quantity.kind,
-                              {quantity.name, none, none, quantity.value, none}));
+    values.push_back(
+        step.add(std::string("IFCQUANTITY") + quantity.kind,
+                 {quantity.name, none, none, rounded(quantity.value), none}));
   const std::string name = set + " of " + object_name;
   const StepRef definition =
       step.add("IFCELEMENTQUANTITY", {guid(name), none, set, none, none, values});
@@ -242,9 +269,12 @@ pcl::sedr::writeIfc(const Floorplan& plan,
                     const IfcSettings& settings,
                     const Origin& origin)
 {
-  ifc::IfcDocument document(plan, settings, origin);
+  Floorplan numbered = plan;
+  numberOpenings(numbered);
+  ifc::IfcDocument document(numbered, settings, origin);
   ifc::writeSpaces(document);
-  ifc::writeOpenings(document, ifc::writeWalls(document));
+  const std::vector<ifc::WrittenWall> walls = ifc::writeWalls(document);
+  ifc::describeWalls(document, walls, ifc::writeOpenings(document, walls));
   ifc::writeSlabs(document);
   ifc::writeDetails(document);
   ifc::writeStairs(document);

@@ -7,6 +7,7 @@
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/room_solid.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ struct IfcStorey {
   PlanStorey storey;
   StepRef ref;
   StepRef placement;
+  double ground = 0; ///< usual floor, metres
   std::vector<StepRef> spaces;
   std::vector<StepRef> elements;
 };
@@ -64,13 +66,15 @@ public:
 
   /** @brief Adds an element to the storey of a room.
    * @param type such as "IFCCOLUMN"
-   * @param more attributes that follow those of all elements */
+   * @param more attributes that follow those of all elements
+   * @param tag its number on the sheet, if it has one */
   StepRef addElement(const std::string& type,
                      const std::string& name,
                      std::size_t storey,
                      StepRef placement,
                      StepRef shape,
-                     const std::vector<StepValue>& more);
+                     const std::vector<StepValue>& more,
+                     const std::string& tag = {});
 
   void addProperties(StepRef object,
                      const std::string& object_name,
@@ -89,7 +93,7 @@ public:
                  const StepValue& related);
 
   /** @brief Returns the height of a storey, to which places in it refer. */
-  double groundOf(std::size_t storey) const { return storeys[storey].storey.floor; }
+  double groundOf(std::size_t storey) const { return storeys[storey].ground; }
 
   /** @brief Adds a placement at the origin of a storey. */
   StepRef placeIn(std::size_t storey);
@@ -110,6 +114,13 @@ private:
   void addStoreys(StepRef building, StepRef building_placement);
   void addRooms();
 };
+
+/** @brief Returns a size rounded to a millimetre, an area or volume alike. */
+inline double
+rounded(double size)
+{
+  return std::round(1000 * size) / 1000;
+}
 
 /** @brief Returns a share as the value of a property. */
 StepValue shareProperty(double share);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -74,9 +76,8 @@ isOf(const Floorplan& plan, const WallFace& face, const PlanOpening& opening)
 bool
 isBetween(const Floorplan& plan, const PlanWall& wall, const PlanOpening& opening)
 {
-  const bool leads_outside = opening.rooms[0] == 0 || opening.rooms[1] == 0;
   return isOf(plan, wall.face, opening) &&
-         (!wall.other || leads_outside || isOf(plan, *wall.other, opening));
+         (!wall.other || opening.leadsOutside() || isOf(plan, *wall.other, opening));
 }
 
 PlanLoop
@@ -124,46 +125,124 @@ writeGaps(IfcDocument& document,
   return gaps;
 }
 
-/** @brief Fills the gap of a door or window in the middle of its wall. By IFC, a door
- * opens towards the y axis of its placement, and its hinges are told looking that way.
- */
-void
-writeFilling(IfcDocument& document,
-             const PlanOpening& opening,
-             const WrittenGap& gap,
-             const std::string& name)
-{
-  constexpr double thickness = 0.05;
-  const bool is_door = opening.kind == OpeningKind::Door;
-  if (!is_door && opening.kind != OpeningKind::Window)
-    return;
-  const WrittenWall& wall = *gap.wall;
-  const OpeningBox& box = gap.box;
-  const WallFrame& frame = wall.frame;
-  const std::vector<OpeningLeaf> leaves = leavesOf(opening);
-  const bool is_turned = !leaves.empty() && frame.toLocal(leaves[0].open).y() <
-                                                frame.toLocal(leaves[0].hinge).y();
-  const bool is_first = !leaves.empty() && frame.toLocal(leaves[0].hinge).x() <
-                                               frame.toLocal(leaves[0].shut).x();
-  const char* operation = leaves.empty()          ? "NOTDEFINED"
-                          : leaves.size() == 2    ? "DOUBLE_DOOR_SINGLE_SWING"
-                          : is_first != is_turned ? "SINGLE_SWING_LEFT"
-                                                  : "SINGLE_SWING_RIGHT";
-  const double sign = is_turned ? -1 : 1;
-  const Eigen::Vector2d middle = box.plan.center();
-  const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
-  const StepRef place =
-      document.shapes.placement(wall.placement, {middle.x(), middle.y(), 0}, {sign, 0});
-  const IfcBody body =
-      document.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
-                                box.top - box.bottom, sign * wall.runs.near);
-  const StepRef filling = document.addElement(
-      is_door ? "IFCDOOR" : "IFCWINDOW", name, wall.storey, place,
-      document.shapeOf(body, "opening"),
-      {box.top - box.bottom, opening.width(), symbol(is_door ? "DOOR" : "WINDOW"),
-       symbol(operation), none});
-  document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening, filling);
-}
+/** @brief Adds doors and windows and their types: one for each size, to a centimetre,
+ * and hand. */
+class FillingWriter {
+public:
+  explicit FillingWriter(IfcDocument& document)
+      : document_(document)
+  {}
+
+  /** @brief Fills the gap of a door or window in the middle of its wall. By IFC, a door
+   * opens towards the y axis of its placement, and its hinges are told looking that
+   * way.
+   */
+  void write(const PlanOpening& opening, const WrittenGap& gap)
+  {
+    constexpr double thickness = 0.05;
+    const bool is_door = opening.kind == OpeningKind::Door;
+    if (!is_door && opening.kind != OpeningKind::Window)
+      return;
+    const WrittenWall& wall = *gap.wall;
+    const OpeningBox& box = gap.box;
+    const WallFrame& frame = wall.frame;
+    const std::vector<OpeningLeaf> leaves = leavesOf(opening);
+    const bool is_turned = !leaves.empty() && frame.toLocal(leaves[0].open).y() <
+                                                  frame.toLocal(leaves[0].hinge).y();
+    const double sign = is_turned ? -1 : 1;
+    const Eigen::Vector2d middle = box.plan.center();
+    const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
+    const StepRef place = document_.shapes.placement(
+        wall.placement, {middle.x(), middle.y(), 0}, {sign, 0});
+    const IfcBody body =
+        document_.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
+                                   box.top - box.bottom, sign * wall.runs.near);
+    const std::string mark = markOf(opening);
+    const char* const operation = operationOf(opening);
+    const StepRef filling = document_.addElement(
+        is_door ? "IFCDOOR" : "IFCWINDOW", mark, wall.storey, place,
+        document_.shapeOf(body, "opening"),
+        {rounded(opening.height()), rounded(opening.width()),
+         symbol(is_door ? "DOOR" : "WINDOW"), symbol(operation), none},
+        mark);
+    document_.relate("IFCRELFILLSELEMENT", mark + " in its opening", gap.opening,
+                     filling);
+    describe(opening, wall, filling);
+  }
+
+  /** @brief Relates the fillings to their types. */
+  void finish()
+  {
+    for (const auto& [name, type] : types_)
+      document_.relate("IFCRELDEFINESBYTYPE", "fillings of " + name, type.fillings,
+                       type.ref);
+  }
+
+private:
+  struct Type {
+    StepRef ref;
+    std::vector<StepRef> fillings;
+  };
+
+  static const char* operationOf(const PlanOpening& opening)
+  {
+    const std::string leaf = leafOf(opening);
+    return leaf == "double"  ? "DOUBLE_DOOR_SINGLE_SWING"
+           : leaf == "left"  ? "SINGLE_SWING_LEFT"
+           : leaf == "right" ? "SINGLE_SWING_RIGHT"
+                             : "NOTDEFINED";
+  }
+
+  void describe(const PlanOpening& opening, const WrittenWall& wall, StepRef filling)
+  {
+    const std::string kind = opening.kind == OpeningKind::Door ? "Door" : "Window";
+    const std::string mark = markOf(opening);
+    const std::string type = addToType(opening, kind, filling);
+    const double width = opening.width();
+    const double height = opening.height();
+    document_.addQuantities(filling, mark, "Qto_" + kind + "BaseQuantities",
+                            {{"LENGTH", "Width", width},
+                             {"LENGTH", "Height", height},
+                             {"LENGTH", "Perimeter", 2 * (width + height)},
+                             {"AREA", "Area", width * height}});
+    const bool is_external = wall.is_external && opening.leadsOutside();
+    document_.addProperties(
+        filling, mark, "Pset_" + kind + "Common",
+        {{"Reference", typed("IFCIDENTIFIER", type)},
+         {"IsExternal", typed("IFCBOOLEAN", logical(is_external))}});
+    document_.addProperties(
+        filling, mark, "Pset_SEDR",
+        {{"Confidence", shareProperty(opening.confidence)},
+         {"SillHeight",
+          typed("IFCLENGTHMEASURE", rounded(sillOf(document_.plan, opening)))}});
+  }
+
+  /** @return the name of the type */
+  std::string
+  addToType(const PlanOpening& opening, const std::string& kind, StepRef filling)
+  {
+    const std::string leaf = leafOf(opening);
+    const std::string name = kind + " " + decimalText(opening.width(), 2) + " x " +
+                             decimalText(opening.height(), 2) +
+                             (leaf.empty() ? "" : " " + leaf);
+    Type& type = types_[name];
+    if (type.ref.isNone())
+      type.ref = kind == "Door"
+                     ? document_.step.add("IFCDOORTYPE",
+                                          {document_.guid(name), none, name, none, none,
+                                           none, none, none, none, symbol("DOOR"),
+                                           symbol(operationOf(opening)), none, none})
+                     : document_.step.add("IFCWINDOWTYPE",
+                                          {document_.guid(name), none, name, none, none,
+                                           none, none, none, none, symbol("WINDOW"),
+                                           symbol("NOTDEFINED"), none, none});
+    type.fillings.push_back(filling);
+    return name;
+  }
+
+  IfcDocument& document_;
+  std::map<std::string, Type> types_; ///< by name
+};
 
 /** @brief Returns whether the opening is at the boundary of both of its rooms. */
 bool
@@ -237,32 +316,33 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
       });
 }
 
-void
+std::vector<WrittenGap>
 writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
   const Floorplan& plan = document.plan;
   std::vector<WrittenGap> all;
   std::string outside; // numbers of openings in no wall
   double count = 0;    // of these
-  for (std::size_t k = 0; k < plan.openings.size(); ++k) {
-    const PlanOpening& opening = plan.openings[k];
-    const std::string number = std::to_string(k + 1);
-    const std::vector<WrittenGap> gaps =
-        writeGaps(document, walls, opening, "opening_" + number);
+  FillingWriter fillings(document);
+  for (const PlanOpening& opening : plan.openings) {
+    const std::string name = "opening_" + markOf(opening);
+    const std::vector<WrittenGap> gaps = writeGaps(document, walls, opening, name);
     all.insert(all.end(), gaps.begin(), gaps.end());
     if (!gaps.empty())
-      writeFilling(document, opening, gaps.front(),
-                   nameOf(opening.kind) + ("_" + number));
-    else if (!writePassage(document, opening, "opening_" + number)) {
-      outside += (outside.empty() ? "" : ", ") + number;
+      fillings.write(opening, gaps.front());
+    else if (!writePassage(document, opening, name)) {
+      outside += (outside.empty() ? "" : ", ") + markOf(opening);
       ++count;
     }
   }
+  fillings.finish();
+  document.model.schedules.openings = openingRows(plan);
   if (!outside.empty())
     document.model.warnings.push_back(
         warningOf(WarningKind::NotInIfc, outside,
                   {count, static_cast<double>(plan.openings.size())}));
   writeNiches(document, walls, all);
+  return all;
 }
 
 } // namespace pcl::sedr::ifc

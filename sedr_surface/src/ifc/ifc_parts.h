@@ -45,6 +45,9 @@ struct WrittenWall {
   StepRef placement{}; ///< of the frame, z from the wall's bottom
   double bottom = 0;   ///< metres
   double top = 0;
+  double mean_height = 0; ///< along its length
+  bool is_external = false;
+  std::string number{};      ///< on the sheet
   WallRuns runs{};           ///< of a tilted wall
   PlanArea profile{};        ///< in the frame
   Eigen::AlignedBox2d box{}; ///< from face to face, in the frame
@@ -81,8 +84,15 @@ StepRef writeOpening(IfcDocument& document,
                      const IfcBody& body,
                      const char* kind);
 
-/** @brief Adds openings, what fills them, and recesses for niches. */
-void writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls);
+/** @brief Adds openings, what fills them, and recesses for niches.
+ * @return the gaps of openings */
+std::vector<WrittenGap> writeOpenings(IfcDocument& document,
+                                      const std::vector<WrittenWall>& walls);
+
+/** @brief Adds quantities and properties of walls, and their schedule. */
+void describeWalls(IfcDocument& document,
+                   const std::vector<WrittenWall>& walls,
+                   const std::vector<WrittenGap>& gaps);
 
 /** @brief Adds recesses for niches, but for those within gaps of openings. */
 void writeNiches(IfcDocument& document,

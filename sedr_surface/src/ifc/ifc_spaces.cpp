@@ -85,16 +85,17 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 {
   const PlanRoom& room = *written.room;
   const RoomHeights heights = heightsOf(room);
-  const double volume = written.report.volume > 0
-                            ? written.report.volume
-                            : volumeOf(room, heights.high - heights.low);
-  document.addQuantities(
-      written.space, name, "Qto_SpaceBaseQuantities",
-      {{"LENGTH", "Height", std::max(heights.high - heights.low, 0.0)},
-       {"LENGTH", "GrossPerimeter", room.perimeter()},
-       {"AREA", "GrossFloorArea", std::abs(room.boundary.area())},
-       {"AREA", "NetFloorArea", std::max(room.area(), 0.0)},
-       {"VOLUME", "NetVolume", volume}});
+  const RoomRow row =
+      roomRow(document.plan, room, document.storeys[written.storey].storey.name,
+              written.report.volume > 0 ? written.report.volume
+                                        : volumeOf(room, heights.high - heights.low));
+  document.model.schedules.rooms.push_back(row);
+  document.addQuantities(written.space, name, "Qto_SpaceBaseQuantities",
+                         {{"LENGTH", "Height", row.height},
+                          {"LENGTH", "GrossPerimeter", row.perimeter},
+                          {"AREA", "GrossFloorArea", std::abs(room.boundary.area())},
+                          {"AREA", "NetFloorArea", row.area},
+                          {"VOLUME", "NetVolume", row.volume}});
   std::vector<Property> properties{
       {"Room", typed("IFCINTEGER", integer(room.id))},
       {"FloorResidual", typed("IFCLENGTHMEASURE", room.floor.residual)},

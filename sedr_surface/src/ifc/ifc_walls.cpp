@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../walls/wall_band.h"
 #include "ifc_parts.h"
 #include "wall_body.h"
 
+#include <pcl/sedr_filters/wall_shares.h>
+
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -26,20 +30,87 @@ writeBoundaries(IfcDocument& document, const WrittenWall& written)
     writeBoundary(document, wall.other->room, written.name + " back", written.ref);
 }
 
+/** @brief Returns the number of a face on the sheet: "3.12"; "3.c1.2" on an island. */
+std::string
+numberOf(const Floorplan& plan, const WallFace& face)
+{
+  return std::to_string(plan.rooms[face.room].id) + "." +
+         (face.loop > 0 ? "c" + std::to_string(face.loop) + "." : "") +
+         std::to_string(face.element + 1);
+}
+
+/** @brief Returns the area of a gap on its wall, square metres. */
+double
+areaOf(const WrittenGap& gap)
+{
+  const WrittenWall& wall = *gap.wall;
+  const double across = std::min(gap.box.plan.max().x(), wall.box.max().x()) -
+                        std::max(gap.box.plan.min().x(), wall.box.min().x());
+  const double up = std::min(gap.box.top, wall.top - wall.bottom) - gap.box.bottom;
+  return std::max(across, 0.0) * std::max(up, 0.0);
+}
+
+/** @brief Returns the share of both faces of a wall that was measured; -1 if that is
+ * not known. */
+double
+measuredShare(const Floorplan& plan, const PlanWall& wall)
+{
+  WallShares shares;
+  for (const auto& face : {std::optional<WallFace>(wall.face), wall.other})
+    if (face && face->loop == 0)
+      shares += wallShares(plan, plan.rooms[face->room], face->element);
+  return shares.area > 0 ? shares.measured : -1;
+}
+
+WallRow
+rowOf(const IfcDocument& document,
+      const WrittenWall& written,
+      const std::vector<WrittenGap>& gaps)
+{
+  constexpr const char* sources[] = {"faces", "reveals", "storey", "assumed"};
+  const PlanWall& wall = written.wall;
+  WallRow row{written.number,
+              wall.other ? numberOf(document.plan, *wall.other) : "",
+              document.storeys[written.storey].storey.name,
+              written.is_external,
+              wall.thickness,
+              sources[static_cast<std::size_t>(wall.source)],
+              wall.stretch.length(),
+              written.top - written.bottom};
+  row.gross_area = row.length * written.mean_height;
+  double open = 0;
+  for (const WrittenGap& gap : gaps)
+    open += gap.wall == &written ? areaOf(gap) : 0;
+  row.net_area = std::max(row.gross_area - open, 0.0);
+  double plan_area = written.profile.boundary.area();
+  for (const PlanLoop& hole : written.profile.holes)
+    plan_area -= std::abs(hole.area());
+  row.gross_volume = plan_area * written.mean_height;
+  row.net_volume = std::max(row.gross_volume - open * wall.thickness, 0.0);
+  row.measured = measuredShare(document.plan, wall);
+  return row;
+}
+
 void
-describe(IfcDocument& document, const WrittenWall& written)
+describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
 {
   const PlanWall& wall = written.wall;
   const PlanElement& face = elementOf(document.plan, wall.face);
   document.addQuantities(written.ref, written.name, "Qto_WallBaseQuantities",
-                         {{"LENGTH", "Length", wall.stretch.length()},
-                          {"LENGTH", "Width", wall.thickness},
-                          {"LENGTH", "Height", written.top - written.bottom}});
-  if (wall.other)
-    document.addProperties(written.ref, written.name, "Pset_WallCommon",
-                           {{"IsExternal", typed("IFCBOOLEAN", logical(false))}});
+                         {{"LENGTH", "Length", row.length},
+                          {"LENGTH", "Width", row.thickness},
+                          {"LENGTH", "Height", row.height},
+                          {"AREA", "GrossSideArea", row.gross_area},
+                          {"AREA", "NetSideArea", row.net_area},
+                          {"VOLUME", "GrossVolume", row.gross_volume},
+                          {"VOLUME", "NetVolume", row.net_volume}});
+  document.addProperties(
+      written.ref, written.name, "Pset_WallCommon",
+      {{"Reference", typed("IFCIDENTIFIER", row.number)},
+       {"IsExternal", typed("IFCBOOLEAN", logical(row.is_external))}});
   std::vector<Property> properties{
       {"ThicknessAssumed", typed("IFCBOOLEAN", logical(wall.isAssumed()))},
+      {"ThicknessKnownBy", typed("IFCLABEL", row.known_by)},
       {"Face", typed("IFCTEXT", faceName(document.plan, wall.face))},
       {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
       {"Points", typed("IFCINTEGER", integer(face.inliers))}};
@@ -52,6 +123,8 @@ describe(IfcDocument& document, const WrittenWall& written)
   }
   if (confidence >= 0)
     properties.emplace_back("Confidence", shareProperty(confidence));
+  if (row.measured >= 0)
+    properties.emplace_back("MeasuredShare", shareProperty(row.measured));
   if (face.evidence.isKnown()) {
     properties.emplace_back(
         "Guess", typed("IFCBOOLEAN", logical(isGuess(document.plan, wall.face))));
@@ -163,11 +236,16 @@ writeWalls(IfcDocument& document)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),
                       document.rooms[wall.face.room].storey, site.frame};
+    added.number = numberOf(plan, wall.face);
     const int part = ++parts[added.name];
-    if (part > 1)
+    if (part > 1) {
       added.name += "_part_" + std::to_string(part);
+      added.number += "-" + std::to_string(part);
+    }
     added.bottom = heights.bottom;
     added.top = heights.highest();
+    added.mean_height = heights.mean() - heights.bottom;
+    added.is_external = isExternal(plan, wall);
     added.runs = runsOf(plan, wall);
     added.profile = profileOf(site);
     added.box = boundsOf(site.band.boundary);
@@ -189,14 +267,25 @@ writeWalls(IfcDocument& document)
         document.shapes.product(shapes),
         {symbol(heights.isLevel() && added.runs.near == 0 && added.runs.far == 0
                     ? "STANDARD"
-                    : "NOTDEFINED")});
-    describe(document, added);
+                    : "NOTDEFINED")},
+        added.number);
     writeBoundaries(document, added);
     ++document.model.walls;
     document.model.paired_walls += wall.other ? 1 : 0;
     written.push_back(added);
   }
   return written;
+}
+
+void
+describeWalls(IfcDocument& document,
+              const std::vector<WrittenWall>& walls,
+              const std::vector<WrittenGap>& gaps)
+{
+  for (const WrittenWall& wall : walls) {
+    document.model.schedules.walls.push_back(rowOf(document, wall, gaps));
+    describe(document, wall, document.model.schedules.walls.back());
+  }
 }
 
 } // namespace pcl::sedr::ifc

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_body.h"
 
+#include "../walls/wall_band.h"
 #include "ifc_shapes.h"
 #include "level_slab.h"
 
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -76,53 +76,15 @@ simplified(const std::vector<WallHeights::Top>& tops)
   return kept;
 }
 
-/** @brief Returns the arc with the same centre and another radius. */
-PlanElement
-withRadius(PlanElement arc, double radius)
-{
-  for (Eigen::Vector2d* p : {&arc.start, &arc.end})
-    *p = arc.centre + (*p - arc.centre) * (radius / arc.radius);
-  arc.radius = radius;
-  return arc;
-}
-
-/** @brief What is between the face of a wall and its far side, in the wall's frame. */
+/** @brief Returns the band of a wall in its frame. */
 PlanArea
-bandOf(const Floorplan& plan, const PlanWall& wall)
+localBandOf(const Floorplan& plan, const PlanWall& wall, const WallFrame& frame)
 {
-  const PlanElement& element = elementOf(plan, wall.face);
-  if (!element.isArc()) {
-    const auto& o = wall.outline; // clockwise
-    return {loopOf({o[0], o[3], o[2], o[1]}), {}};
-  }
-  const WallFrame frame = frameOf(plan, wall);
-  constexpr double min_radius = 0.01;
-  const bool is_whole = wall.stretch.from <= 0 && wall.stretch.to >= element.length();
-  const PlanElement near =
-      is_whole ? element
-               : element.part(std::max(wall.stretch.from, 0.0),
-                              std::min(wall.stretch.to, element.length()));
-  const PlanElement far =
-      withRadius(near, element.counter_clockwise
-                           ? element.radius + wall.thickness
-                           : std::max(element.radius - wall.thickness, min_radius));
-  PlanLoop close{{near}};
-  PlanLoop behind{{far}};
-  if (std::abs(near.sweep()) > 2 * M_PI - 1e-6) {
-    if (close.area() < 0) {
-      close = reversed(close);
-      behind = reversed(behind);
-    }
-    const bool is_outside = far.radius > near.radius;
-    return {inFrame(is_outside ? behind : close, frame),
-            {inFrame(is_outside ? close : behind, frame)}};
-  }
-  PlanLoop loop;
-  loop.elements.push_back(near);
-  loop.elements.push_back(segment(near.end, far.end));
-  loop.elements.push_back(reversed(behind).elements.front());
-  loop.elements.push_back(segment(far.start, near.start));
-  return {inFrame(loop.area() < 0 ? reversed(loop) : loop, frame), {}};
+  PlanArea band = bandOf(plan, wall);
+  band.boundary = inFrame(band.boundary, frame);
+  for (PlanLoop& hole : band.holes)
+    hole = inFrame(hole, frame);
+  return band;
 }
 
 /** @brief Returns what a room takes of the plan, in a frame. */
@@ -163,6 +125,16 @@ WallHeights::highest() const
   for (const Top& top : tops)
     height = std::max(height, top.height);
   return height;
+}
+
+double
+WallHeights::mean() const
+{
+  double mean = 0;
+  for (std::size_t k = 1; k < tops.size(); ++k)
+    mean +=
+        (tops[k].along - tops[k - 1].along) * (tops[k].height + tops[k - 1].height) / 2;
+  return mean;
 }
 
 double
@@ -234,7 +206,7 @@ WallSite::WallSite(const Floorplan& of_plan,
     : plan(of_plan)
     , wall(of_wall)
     , frame(frameOf(of_plan, of_wall))
-    , band(bandOf(of_plan, of_wall))
+    , band(localBandOf(of_plan, of_wall, frame))
 {
   const Eigen::AlignedBox2d local = boundsOf(band.boundary);
   Eigen::AlignedBox2d box;

@@ -24,6 +24,7 @@ struct WallHeights {
   bool isLevel() const { return tops.size() == 2 && tops[0].height == tops[1].height; }
 
   double highest() const;
+  double mean() const; ///< along the wall
   /** @brief Returns the height of the top at a share of the length, on the line between
    * two of `tops`; beyond the ends, that of the end. */
   double topAt(double along) const;

@@ -152,7 +152,7 @@ TEST(PlanEditor, AnOpeningIsSaidToBeAnotherOrClosed)
   EXPECT_FALSE(editor.setOpening(2, {4.5, 2}, OpeningKind::Unknown));
   ASSERT_TRUE(editor.setOpening(2, {4.5, 2}, OpeningKind::Passage));
   expectValid(editor);
-  EXPECT_EQ(editor.getFloorplan().openings[0].kind, OpeningKind::Passage);
+  EXPECT_EQ(markOf(editor.getFloorplan().openings[0]), "P1");
   EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::Unknown);
   EXPECT_EQ(editor.getFloorplan().openings[0].confidence, 1);
   ASSERT_TRUE(editor.closeOpening(1, {4, 1.5}));

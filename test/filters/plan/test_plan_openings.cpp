@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
+#include "two_storeys.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -52,6 +52,37 @@ TEST(PlanOpenings, ReadBackAsWritten)
   EXPECT_EQ(door.swing, 3u);
   EXPECT_EQ(door.state, OpeningState::Ajar);
   EXPECT_EQ(door.confidence, 0.9);
+}
+
+TEST(PlanOpenings, AreNumberedInTheirKindFromTheLowestStoreyUpAndKeepTheirNumbers)
+{
+  Floorplan plan = sedr_test::twoStoreys();
+  const auto opening = [](OpeningKind kind, std::uint32_t room) {
+    PlanOpening o;
+    o.kind = kind;
+    o.rooms = {room, 0};
+    o.end = {1, 0};
+    o.top = 2;
+    return o;
+  };
+  plan.openings = {opening(OpeningKind::Window, 4),  opening(OpeningKind::Door, 3),
+                   opening(OpeningKind::Window, 1),  opening(OpeningKind::Window, 2),
+                   opening(OpeningKind::Passage, 2), opening(OpeningKind::Unknown, 1)};
+  const auto marks = [&plan] {
+    std::string all;
+    for (const PlanOpening& o : plan.openings)
+      all += markOf(o) + " ";
+    return all;
+  };
+  numberOpenings(plan);
+  EXPECT_EQ(marks(), "W3 D1 W1 W2 P1 O1 ");
+  std::string problem;
+  EXPECT_EQ(floorplanToJson(floorplanFromJson(floorplanToJson(plan), problem)),
+            floorplanToJson(plan));
+  plan.openings.erase(plan.openings.begin() + 2);
+  plan.openings.push_back(opening(OpeningKind::Window, 1));
+  numberOpenings(plan);
+  EXPECT_EQ(marks(), "W3 D1 W2 P1 O1 W4 ");
 }
 
 TEST(PlanOpenings, LeavesHangAtTheFaceOfTheirSide)

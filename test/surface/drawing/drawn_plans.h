@@ -5,6 +5,7 @@
 
 #include "sedr_surface/src/drawing/plan_drawing.h"
 
+#include <sstream>
 #include <string>
 
 namespace sedr_test {
@@ -21,6 +22,22 @@ inline bool
 holds(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
+}
+
+/** Number of entities of a type on a layer of a DXF. */
+inline std::size_t
+countOf(const std::string& dxf, const std::string& type, const std::string& layer)
+{
+  std::size_t count = 0;
+  bool is_type = false;
+  std::istringstream lines(dxf);
+  for (std::string code, value;
+       std::getline(lines, code) && std::getline(lines, value);)
+    if (code == "0")
+      is_type = value == type;
+    else if (code == "8")
+      count += is_type && value == layer ? 1 : 0;
+  return count;
 }
 
 /** Settings with the given scale. */

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -14,18 +15,51 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(OpeningGaps, AreAsDeepAsTheirReveals)
+TEST(OpeningGaps, OfOuterWallsGoThroughTheirWall)
 {
+  // Reveals of 0.4 m in one wall are those of the others, too.
   Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
   plan.openings = {
-      {OpeningKind::Passage, {1, 0}, {{1, 0}}, {2, -0.2}, {1, -0.2}, 0, 2, 0, 0.4}};
-  const std::vector<OpeningGap> gaps = openingGaps(plan);
+      {OpeningKind::Passage, {1, 0}, {{1, 0}}, {2, -0.2}, {1, -0.2}, 0, 2, 0, 0.4},
+      {OpeningKind::Window, {0, 1}, {{1, 2}}, {1, 3.1}, {2, 3.1}, 1, 2, 0, 0.2},
+      {OpeningKind::Window, {1, 0}, {{1, 1}}, {4.4, 2}, {4.4, 1}, 1, 2, 0, 0.4}};
+  const std::vector<OpeningGap> gaps = openingGaps(plan, findWalls(plan));
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : gaps.at(0).corners)
     box.extend(corner);
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector2d(1, -0.4)));
   EXPECT_NEAR((box.max() - Eigen::Vector2d(2, 0)).norm(), 0, 1e-9);
+  box.setEmpty();
+  for (const Eigen::Vector2d& corner : gaps.at(1).corners)
+    box.extend(corner);
+  EXPECT_TRUE(box.min().isApprox(Eigen::Vector2d(1, 3)));
+  EXPECT_TRUE(box.max().isApprox(Eigen::Vector2d(2, 3.4)));
   EXPECT_NE(floorplanToDxf(plan).find("\n20\n-0.4000000\n"), std::string::npos);
+}
+
+TEST(OpeningGaps, CutTheFacesOfTheirWall)
+{
+  const OpeningGap gap{"D1", {{{1, 0.1}, {2, 0.1}, {2, -0.1}, {1, -0.1}}}};
+  const auto left = [&gap](const PlanElement& element) {
+    double length = 0;
+    for (const PlanElement& part : cutAtGaps(element, {gap}))
+      length += part.length();
+    return element.length() - length;
+  };
+  EXPECT_NEAR(left(segment({0, 0.1}, {4, 0.1})), 1, 1e-12);
+  EXPECT_NEAR(left(segment({4, -0.1}, {0, -0.1})), 1, 1e-12) << "the other face";
+  EXPECT_NEAR(left(segment({1.7, 0.1}, {4, 0.1})), 0.3, 1e-12) << "beyond a corner";
+  EXPECT_EQ(cutAtGaps(segment({1.2, 0.1}, {1.8, 0.1}), {gap}).size(), 0u);
+  EXPECT_EQ(left(segment({0, 0.5}, {4, 0.5})), 0) << "another wall";
+  EXPECT_EQ(left(segment({1.5, -1}, {1.5, 1})), 0) << "across";
+  EXPECT_EQ(left(segment({3, 0.1}, {4, 0.1})), 0) << "farther on";
+  const double angle = 2 * std::asin(0.5 / 3); // of a chord of 1 m
+  const OpeningGap curved{"W1",
+                          {{{-0.5, 2.958}, {0.5, 2.958}, {0.5, 3.158}, {-0.5, 3.158}}}};
+  const PlanElement bow = arc({0, 0}, 3, 0, 180);
+  const auto parts = cutAtGaps(bow, {curved});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(bow.length() - parts[0].length() - parts[1].length(), 3 * angle, 1e-3);
 }
 
 TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
@@ -45,7 +79,7 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
   for (const OpeningKind kind :
        {OpeningKind::Door, OpeningKind::Window, OpeningKind::Passage}) {
     plan.openings[0].kind = kind;
-    lines[kind] = fillingOf(openingGaps(plan)[0]).size();
+    lines[kind] = fillingOf(openingGaps(plan, findWalls(plan))[0]).size();
   }
   EXPECT_EQ(lines[OpeningKind::Door], 1u);
   EXPECT_EQ(lines[OpeningKind::Window], 2u);
@@ -57,7 +91,8 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
   EXPECT_NE(floorplanToDxf(plan), floorplanToDxf(passage));
   plan.openings[0].hinge = OpeningHinge::Start;
   plan.openings[0].swing = 1;
-  EXPECT_TRUE(fillingOf(openingGaps(plan)[0]).empty()) << "its leaf is drawn";
+  EXPECT_TRUE(fillingOf(openingGaps(plan, findWalls(plan))[0]).empty())
+      << "its leaf is drawn";
 }
 
 } // namespace

@@ -150,14 +150,13 @@ def read_ply(path):
 
 def area_of(polyline):
     """The area within a closed polyline with bulges."""
-    vertices = list(polyline.vertices)
+    vertices = polyline.get_points("xyb")
     area = 0
-    for v, w in zip(vertices, vertices[1:] + vertices[:1]):
-        a, b = v.dxf.location, w.dxf.location
-        area += (a.x * b.y - b.x * a.y) / 2
-        if v.dxf.bulge:
-            angle = 4 * math.atan(v.dxf.bulge)
-            radius = math.dist((a.x, a.y), (b.x, b.y)) / 2 / math.sin(abs(angle) / 2)
+    for (x, y, bulge), (u, v, _) in zip(vertices, vertices[1:] + vertices[:1]):
+        area += (x * v - u * y) / 2
+        if bulge:
+            angle = 4 * math.atan(bulge)
+            radius = math.dist((x, y), (u, v)) / 2 / math.sin(abs(angle) / 2)
             area += math.copysign(radius ** 2 / 2 * (abs(angle) - math.sin(abs(angle))), angle)
     return area
 
@@ -322,29 +321,32 @@ class Outputs(unittest.TestCase):
             self.skipTest("python3-ezdxf is not installed")
         self.run_tool(DRAWING, self.plan, self.path("plan.dxf"))
         drawing = ezdxf.readfile(self.path("plan.dxf"))
-        self.assertEqual(drawing.dxfversion, "AC1009")
-        self.assertEqual(drawing.audit().errors, [])
+        self.assertEqual(drawing.dxfversion, "AC1027")
+        audit = drawing.audit()
+        self.assertEqual((audit.errors, audit.fixes), ([], []))
         kinds = Counter((e.dxftype(), e.dxf.layer) for e in drawing.modelspace()
                         if e.dxftype() != "TEXT")
         dimensions = kinds.pop(("DIMENSION", "A-ANNO-DIMS"))
         # Edges of soffit, platform and niche that lie on walls are not drawn twice.
-        self.assertEqual(kinds, {("POLYLINE", "A-AREA"): 2, ("LINE", "A-WALL"): 7, ("ARC", "A-WALL"): 1,
-                                 ("CIRCLE", "A-COLS"): 1, ("LINE", "A-COLS"): 4, ("LINE", "A-CLNG"): 1,
+        self.assertEqual(dict(kinds), {("LWPOLYLINE", "A-AREA"): 2, ("LINE", "A-WALL"): 7, ("ARC", "A-WALL"): 1,
+                                 ("LINE", "A-WALL-GUES"): 6, ("ARC", "A-WALL-GUES"): 1, ("CIRCLE", "A-COLS"): 1, ("LINE", "A-COLS"): 4, ("LINE", "A-CLNG"): 1,
                                  ("LINE", "A-FLOR-LEVL"): 1, ("LINE", "A-WALL-NICH"): 3})
         for layer in ("A-WALL", "A-WALL-NICH", "A-COLS", "A-DOOR", "A-CLNG", "A-CLNG-RIDG", "A-CLNG-HEAD",
                       "A-CLNG-IDEN", "A-FLOR-LEVL", "A-AREA", "A-AREA-IDEN", "A-ANNO-DIMS", "A-ANNO-TEXT"):
             self.assertIn(layer, drawing.layers)
         self.assertLessEqual({e.dxf.layer for e in drawing.modelspace()}, {x.dxf.name for x in drawing.layers})
-        (apse,) = drawing.modelspace().query("ARC")
+        (apse,) = drawing.modelspace().query("ARC[layer=='A-WALL']")
+        (behind,) = drawing.modelspace().query("ARC[layer=='A-WALL-GUES']")
+        self.assertAlmostEqual(behind.dxf.radius, 2.2, 6, "the wall is assumed 0.2 m thick")
         self.assertEqual((apse.dxf.center.x, apse.dxf.center.y, apse.dxf.radius), (6, 2, 2))
         self.assertEqual((apse.dxf.start_angle, apse.dxf.end_angle), (270, 90))
         (column,) = drawing.modelspace().query("CIRCLE")
         self.assertEqual((column.dxf.center.x, column.dxf.center.y, column.dxf.radius), (3, 2, 0.4))
         self.assertEqual(drawing.header["$INSUNITS"], 6, "metres")
-        outlines = sorted(abs(area_of(line)) for line in drawing.modelspace().query("POLYLINE"))
+        outlines = sorted(abs(area_of(line)) for line in drawing.modelspace().query("LWPOLYLINE"))
         self.assertAlmostEqual(outlines[0], 15, 6)
         self.assertAlmostEqual(outlines[1], 24 + 2 * math.pi, 6)
-        self.assertTrue(all(line.is_closed for line in drawing.modelspace().query("POLYLINE")))
+        self.assertTrue(all(line.is_closed for line in drawing.modelspace().query("LWPOLYLINE")))
         found = list(drawing.modelspace().query("DIMENSION"))
         self.assertEqual(len(found), dimensions)
         lengths = Counter(round(d.get_measurement(), 6) for d in found)
@@ -366,9 +368,47 @@ class Outputs(unittest.TestCase):
         self.assertEqual(set(ends.values()), {2}, "walls are closed loops")
         texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
         exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
-        for text in ("Room 1", "Room 2", "%.2f m2" % exact, "15.00 m2", "h 3.00 m", "R 2.00",
-                     "2.60", "+0.30", "%%c 0.80", "0.50 x 0.50"):
+        for text in ("Room 1", "Room 2", "%.2f m²" % exact, "15.00 m²", "h 3.00 m", "R 2.00",
+                     "2.60", "+0.30", "Ø 0.80", "0.50 x 0.50"):
             self.assertIn(text, texts)
+
+    def test_openings_in_dxf(self):
+        """Walls end at openings, which are blocks with attributes; texts are UTF-8."""
+        try:
+            import ezdxf
+        except ImportError:
+            self.skipTest("python3-ezdxf is not installed")
+        with open(self.plan) as file:
+            plan = json.load(file)
+        plan["names"] = {"2": "Schlafzimmer ü €"}
+        hall = plan["rooms"][0]["id"]
+        plan["openings"] = [{"kind": "door", "rooms": [hall, 0], "walls": [{"room": hall, "element": 0}], "start": [2, -0.1],
+                             "end": [1, -0.1], "bottom": 0, "top": 2, "depth": 0.2, "hinge": "start", "swing": hall},
+                            {"kind": "window", "rooms": [hall, 0], "walls": [{"room": hall, "element": 0}], "start": [5, -0.1],
+                             "end": [3.5, -0.1], "bottom": 0.9, "top": 2, "depth": 0.2}]
+        for opening in plan["openings"]:
+            opening.update({"state": "unknown", "hinge": opening.get("hinge", "unknown")})
+        with open(self.path("doors.json"), "w") as file:
+            json.dump(plan, file)
+        self.run_tool(DRAWING, self.path("doors.json"), self.path("doors.dxf"))
+        drawing = ezdxf.readfile(self.path("doors.dxf"))
+        audit = drawing.audit()
+        self.assertEqual((audit.errors, audit.fixes), ([], []))
+        on_wall = sorted((min(e.dxf.start.x, e.dxf.end.x), max(e.dxf.start.x, e.dxf.end.x))
+                         for e in drawing.modelspace().query("LINE[layer=='A-WALL']") if e.dxf.start.y == e.dxf.end.y == 0)
+        self.assertEqual(on_wall, [(0, 1), (2, 3.5), (5, 6)])
+        blocks = {i.dxf.name: i for i in drawing.modelspace().query("INSERT")}
+        self.assertEqual({name: {a.dxf.tag: a.dxf.text for a in i.attribs} for name, i in blocks.items()},
+                         {"D1": {"NUMBER": "D1", "WIDTH": "1.000", "HEIGHT": "2.000", "SILL": "0.000"},
+                          "W1": {"NUMBER": "W1", "WIDTH": "1.500", "HEIGHT": "1.100", "SILL": "0.900"}})
+        self.assertFalse(drawing.layers.get("A-AREA").dxf.plot, "outlines of rooms run through openings")
+        self.assertEqual((blocks["D1"].dxf.layer, blocks["W1"].dxf.layer), ("A-DOOR", "A-GLAZ"))
+        places = [p for e in blocks["W1"].virtual_entities() for p in (e.dxf.start, e.dxf.end)]
+        for k, (low, high) in enumerate(((3.5, 5), (-0.2, 0))):
+            self.assertAlmostEqual(min(p[k] for p in places), low, 6)
+            self.assertAlmostEqual(max(p[k] for p in places), high, 6)
+        self.assertEqual(len([e for e in blocks["D1"].virtual_entities() if e.dxftype() == "ARC"]), 1, "its swing")
+        self.assertIn("2 Schlafzimmer ü €", [t.dxf.text for t in drawing.modelspace().query("TEXT")])
 
     def test_pdf(self):
         """The page is that of the SVG, with its texts."""

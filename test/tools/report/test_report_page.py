@@ -491,6 +491,15 @@ class OtherReportsInABrowser(BrowserCase):
         row = self.row(self.open(), "openings", "door")
         self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
 
+    def test_schedules_have_units(self):
+        rooms = {"columns": ["room", "area_m2", "area_above_2.0m_m2", "walls_measured_percent"], "rows": [["1", "11.750", "9.000", "38"]]}
+        self.write("report.json", {**sample_report(), "schedules": {"rooms": rooms, "walls": {"columns": ["number"], "rows": []}}})
+        self.make(*WITHOUT_MODEL)
+        browser = self.open()
+        row = self.row(browser, "schedules", "1")
+        self.assertEqual((row["area, m²"], row["area above 2.0m, m²"], row["walls measured, %"]), ("11.750", "9.000", "38"))
+        self.assertNotIn("walls: ", self.words(browser, "#schedules"))
+
     def test_walls_show_what_was_seen_of_them(self):
         wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
                 "openings": [{"kind": "door", "from": 2, "to": 3, "bottom": 0, "top": 1}]}

@@ -13,6 +13,7 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -20,6 +21,8 @@
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
+
+#include <boost/crc.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -40,10 +43,10 @@ constexpr const char* plan_picture = "pictures/floorplan_fitting.png";
 std::vector<std::string>
 outputNames(const ModelSettings& settings)
 {
-  std::vector<std::string> names{"structure.pcd", "solid.ply",     "solid.obj",
-                                 "solid.mtl",     "model.ifc",     "floorplan.json",
-                                 "floorplan.svg", "floorplan.pdf", "floorplan.dxf",
-                                 "model.glb",     "report.json"};
+  std::vector<std::string> names{
+      "structure.pcd",  "solid.ply",     "solid.obj",     "solid.mtl",     "model.ifc",
+      "floorplan.json", "floorplan.svg", "floorplan.pdf", "floorplan.dxf", "model.glb",
+      "report.json",    "rooms.csv",     "openings.csv",  "walls.csv"};
   if (!settings.no_mesh)
     names.push_back("mesh.ply");
   if (settings.report)
@@ -155,6 +158,16 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
   return figures;
 }
 
+/** @brief Returns a check sum of the thinned scan. */
+std::string
+scanSum(const StructureChain& chain)
+{
+  boost::crc_optimal<64, 0x42f0e1eba9ea3693> sum; // of ECMA-182
+  for (const auto& point : *chain.cloud)
+    sum.process_bytes(point.data, 3 * sizeof(float));
+  return formatText("%016llx", static_cast<unsigned long long>(sum.checksum()));
+}
+
 /** @brief Writes the model without drawings and report. */
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
@@ -168,7 +181,7 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
                    : meshToPly(c.poisson.getMesh(), originComments(c.origin)));
   writeWhole(folder.file("floorplan.json"),
              documentToJson({*chain.getFloorplan(), c.origin, c.levelling,
-                             chain.getPriors().max_wall}));
+                             chain.getPriors().max_wall, scanSum(c)}));
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
     saveSolid(folder.file(name), solid, c.extrusion.getElements(),
@@ -176,37 +189,50 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
 }
 
 DrawingSettings
-drawingSettings(const Reconstruction& chain)
+drawingSettings(const ModelSettings& settings, const Reconstruction& chain)
 {
   DrawingSettings drawing;
+  drawing.project = settings.project;
   drawing.max_wall = chain.getPriors().max_wall;
   drawing.origin = chain.getOrigin();
   return drawing;
 }
 
-/** @brief Writes model.ifc; its warnings are added to the chain's. */
-void
-writeBuildingModel(const OutputFolder& folder, Reconstruction& chain)
+/** @brief Writes model.ifc and the schedules of it; its warnings are added to the
+ * chain's.
+ * @return the schedules */
+Schedules
+writeBuildingModel(const OutputFolder& folder,
+                   const ModelSettings& settings,
+                   Reconstruction& chain)
 {
   IfcSettings ifc;
+  if (!settings.project.empty())
+    ifc.name = settings.project;
+  ifc.scan = scanSum(chain.getChain());
   ifc.max_wall = chain.getPriors().max_wall;
   const IfcModel model = writeIfc(*chain.getFloorplan(), ifc, chain.getOrigin());
   writeWhole(folder.file("model.ifc"), model.text);
   auto& warnings = chain.getChain().warnings;
   warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
+  for (const ScheduleTable& table : tablesOf(model.schedules))
+    writeWhole(folder.file(table.name + ".csv"), csvOf(table));
+  return model.schedules;
 }
 
 /** @brief Writes the drawings as SVG, PDF and DXF; with several storeys one each. */
 void
-writeDrawings(const OutputFolder& folder, const Reconstruction& chain, unsigned threads)
+writeDrawings(const OutputFolder& folder,
+              const ModelSettings& settings,
+              const Reconstruction& chain)
 {
   const Floorplan& plan = *chain.getFloorplan();
   std::vector<DrawingSheet> sheets;
   for (const char* name : {"floorplan.svg", "floorplan.pdf", "floorplan.dxf"})
     for (const DrawingSheet& sheet : drawingSheets(name, plan))
       sheets.push_back({folder.file(sheet.path), sheet.storey});
-  parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
-    saveDrawing(sheets[k], plan, drawingSettings(chain));
+  parallelBlocks(sheets.size(), 1, settings.threads, [&](std::size_t k, std::size_t) {
+    saveDrawing(sheets[k], plan, drawingSettings(settings, chain));
   });
 }
 
@@ -276,8 +302,8 @@ makeModel(const ModelSettings& settings,
   record.stages.push_back(timed("writing", [&](StageReport& report) {
     const std::function<void()> files[] = {
         [&] { writeModel(folder, chain, !settings.no_mesh); },
-        [&] { writeBuildingModel(folder, chain); },
-        [&] { writeDrawings(folder, chain, settings.threads); },
+        [&] { record.schedules = writeBuildingModel(folder, settings, chain); },
+        [&] { writeDrawings(folder, settings, chain); },
         [&] { writePictures(folder, chain); }};
     parallelBlocks(settings.pictures ? 4 : 3, 1, settings.threads,
                    [&](std::size_t k, std::size_t) { files[k](); });

@@ -24,6 +24,7 @@ struct ModelSettings {
   bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
+  std::string project;             ///< name, for drawings and IFC
   std::string priors;              ///< name=value, separated by commas
   std::string openings = "closed"; ///< or "cut": FloorplanExtrusion::setCutOpenings()
 };

@@ -153,24 +153,24 @@ supportOf(const WallShares& walls)
 }
 
 Json
-roomsOf(const Reconstruction& chain)
+roomsOf(const RunRecord& run, const Reconstruction& chain)
 {
   Json rooms = Json::array();
   const Floorplan& plan = *chain.getFloorplan();
   const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
   const std::vector<BuildingRoom>& found = chain.getChain().getBuilding().rooms;
-  for (const auto& room : plan.rooms) {
-    const ClearHeight height = clearHeight(room);
+  for (const RoomRow& row : run.schedules.rooms) {
+    const PlanRoom& room = *findRoom(plan, row.id);
     const auto seen =
         std::find_if(found.begin(), found.end(),
                      [&](const BuildingRoom& r) { return r.id == room.id; });
     const bool is_known = seen != found.end();
     rooms.push_back({{"id", room.id},
                      {"storey", storeys.at(room.id)},
-                     {"area", room.area()},
-                     {"perimeter", room.perimeter()},
-                     {"height", height.usual},
-                     {"volume", volumeOf(room, height.mean)},
+                     {"area", row.area},
+                     {"perimeter", row.perimeter},
+                     {"height", row.height},
+                     {"volume", row.volume},
                      {"walls", room.boundary.elements.size()},
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
@@ -231,7 +231,8 @@ openingsOf(const Floorplan& plan)
 {
   Json openings = Json::array();
   for (const PlanOpening& opening : plan.openings)
-    openings.push_back({{"kind", nameOf(opening.kind)},
+    openings.push_back({{"number", markOf(opening)},
+                        {"kind", nameOf(opening.kind)},
                         {"rooms", opening.rooms},
                         {"width", opening.width()},
                         {"height", opening.height()},
@@ -239,6 +240,15 @@ openingsOf(const Floorplan& plan)
                         {"confidence", opening.confidence},
                         {"residual", opening.residual}});
   return openings;
+}
+
+Json
+schedulesOf(const Schedules& schedules)
+{
+  Json tables;
+  for (const ScheduleTable& table : tablesOf(schedules))
+    tables[table.name] = {{"columns", table.columns}, {"rows", table.rows}};
+  return tables;
 }
 
 Json
@@ -338,7 +348,8 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"positions", positionsOf(chain.getChain().mirrored)},
             {"noise", noiseOf(chain.getChain().floorplan_fitting.getWallNoise())},
             {"support", supportOf(wallShares(*chain.getFloorplan()))},
-            {"rooms", roomsOf(chain)},
+            {"rooms", roomsOf(run, chain)},
+            {"schedules", schedulesOf(run.schedules)},
             {"openings", openingsOf(*chain.getFloorplan())},
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},

@@ -6,6 +6,7 @@
 #include <pcl/sedr_surface/coverage.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/schedules.h>
 
 #include <cstddef>
 #include <optional>
@@ -23,6 +24,7 @@ struct RunRecord {
   Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
   std::optional<MeshEvaluationResult> figures; ///< empty without a mesh
+  Schedules schedules;                         ///< as in model.ifc
 };
 
 /** @brief Returns report.json: input, parameters, stages, rooms, coverage, mesh,

@@ -234,9 +234,10 @@
 
   function openings(section) {
     const found = plan.openings || [], name = room => room ? 'room ' + room : 'outside';
+    const markOf = door => door.number ? ({ door: 'D', window: 'W', passage: 'P' }[door.kind] || 'O') + door.number : '';
     const length = door => Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]);
     if (found.length)
-      section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'],
+      section.querySelector('.wide').append(table([['number', door => markOf(door)], ['kind', door => door.kind, 'text'],
         ['between', door => door.rooms.map(name).join(' and '), 'text'],
         ['walls', door => (door.walls || []).map(wall => wall.room + '.' + (wall.element + 1)).join(', ')],
         ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')],
@@ -245,6 +246,16 @@
         ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
         ['probability of kind', door => percent(door.confidence)], ['residual of edges, cm', door => number(100 * door.residual, 1)]], found));
     return found.length > 0;
+  }
+
+  function schedules(section) {
+    const units = { m: 'm', m2: 'm²', m3: 'm³', percent: '%' };
+    const titleOf = column => column.replace(/_([^_]*)$/, (end, unit) => unit in units ? ', ' + units[unit] : end).replaceAll('_', ' ');
+    const tables = Object.entries(report.schedules || {}).filter(([, { rows }]) => rows.length);
+    for (const [name, { columns, rows }] of tables)
+      section.append(make('details', {}, make('summary', {}, `${name}: ${rows.length}`),
+        table(columns.map((column, k) => [titleOf(column), row => row[k]]), rows)));
+    return tables.length > 0;
   }
 
   // What the scan shows of each wall, a picture a wall, below the name of its room.
@@ -353,6 +364,9 @@
     ['solid.ply', 'sharp model, coloured by label', 'MeshLab, CloudCompare, Blender'],
     ['mesh.ply', 'closed mesh, coloured by label', 'MeshLab, CloudCompare, Blender'],
     ['structure.pcd', 'points of the structure, with label and room', 'CloudCompare, pcl_viewer, pcl_sedr_viewer'],
+    ['rooms.csv', 'schedule of rooms', 'Excel, LibreOffice, programs'],
+    ['openings.csv', 'schedule of doors, windows and passages', 'Excel, LibreOffice, programs'],
+    ['walls.csv', 'schedule of walls', 'Excel, LibreOffice, programs'],
     ['floorplan.json', 'plan, with all figures', 'programs'],
     ['report.json', 'this report', 'programs']];
 
@@ -382,7 +396,7 @@
   }
 
   head();
-  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, walls, model, pictures,
+  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, schedules, walls, model, pictures,
     distances: distanceSection, files, stages, parameters }).forEach(([id, fill]) => {
     byId(id).hidden = false;
     try {

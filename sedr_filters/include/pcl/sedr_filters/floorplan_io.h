@@ -16,6 +16,7 @@ struct PlanDocument {
   Origin origin{};                      ///< that the plan's coordinates are relative to
   std::optional<Levelling> levelling{}; ///< the rotation that made the scan level
   double max_wall = Priors().max_wall;  ///< maximum thickness of a wall, metres
+  std::string scan{}; ///< what tells the scan from others: a hash; edits keep it
 };
 
 /** @brief Writes a floor plan as JSON: {"format": "sedr-floorplan", "version": 3,

@@ -54,6 +54,15 @@ std::map<std::uint32_t, std::uint32_t> storeyOfRooms(const Floorplan& plan);
  * openings and stairs that touch one of them. */
 Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);
 
+/** @brief Numbers the openings that have no number yet: in their kind, storey by storey
+ * from the lowest up, after those that have one. Numbers stay what they are, so that
+ * drawings and schedules of an edited plan agree with earlier ones. */
+void numberOpenings(Floorplan& plan);
+
+/** @brief Returns the height of an opening's lower edge above the floor beside it, of
+ * the first of its rooms that the plan has; metres. */
+double sillOf(const Floorplan& plan, const PlanOpening& opening);
+
 /** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);
 
@@ -63,6 +72,9 @@ struct ClearHeight {
   double usual = 0; ///< over the middle of the floor by height: half of it has less
   double mean = 0;
   double least = 0;
+  double greatest = 0;
+  double share_2_0 = 0; ///< of the floor, with at least 2.0 m
+  double share_1_5 = 0; ///< of the floor, with at least 1.5 m
   Eigen::Vector2d lowest = Eigen::Vector2d::Zero(); ///< where it is least
 };
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::sedr {
@@ -24,6 +25,9 @@ struct OpeningWall {
   std::size_t element = 0;
 };
 
+/** @brief Depth of an opening whose reveals were not seen, metres. */
+constexpr double unseen_reveal = 0.3;
+
 /** @brief A door, window or passage through a wall; metres. */
 struct PlanOpening {
   OpeningKind kind = OpeningKind::Unknown;
@@ -36,16 +40,19 @@ struct PlanOpening {
   double bottom = 0;
   double top = 0;   ///< of an arched head: its highest point
   double rise = 0;  ///< of an arched head; 0: it is flat
-  double depth = 0; ///< of a wall with two faces its thickness, else of the
-                    ///< reveals as far as they were seen, 0.1 to 0.3 m, or 0.3 m
+  double depth = 0; ///< of a wall with two faces its thickness, else of the reveals as
+                    ///< far as they were seen, from 0.1 m up, or unseen_reveal
   OpeningHinge hinge = OpeningHinge::Unknown;
   std::uint32_t swing = 0; ///< the one of `rooms` it opens into, if the hinge is known
   OpeningState state = OpeningState::Unknown;
-  double confidence = 0; ///< probability of `kind`, or of the likeliest if unknown
-  double residual = 0;   ///< standard deviation of its edges
+  double confidence = 0;    ///< probability of `kind`, or of the likeliest if unknown
+  double residual = 0;      ///< standard deviation of its edges
+  std::uint32_t number = 0; ///< in its kind, see numberOpenings(); 0: not numbered yet
 
   double width() const { return (end - start).norm(); }
   double height() const { return top - bottom; }
+  bool leadsOutside() const { return rooms[0] == 0 || rooms[1] == 0; }
+  bool hasSeenReveals() const { return depth != unseen_reveal; }
 };
 
 /** @brief A leaf of a door, at the face of the wall that it turns away from. */
@@ -67,5 +74,9 @@ bool isAt(const PlanOpening& opening,
 
 /** @brief Returns the name of a kind in files: "door". */
 const char* nameOf(OpeningKind kind);
+
+/** @brief Returns the number of an opening on drawings and in schedules: "D3" for a
+ * door, "W12" for a window, "P1" for a passage, "O2" for one of unknown kind. */
+std::string markOf(const PlanOpening& opening);
 
 } // namespace pcl::sedr

@@ -26,9 +26,13 @@ struct DrawingSettings {
    * those of the whole plan, so that the sheets of a building can be overlaid. Null:
    * all rooms. */
   const PlanStorey* storey = nullptr;
-  Origin origin{};                     ///< origin of the coordinates
-  PaperSize paper = PaperSize::A3;     ///< larger if the given scale needs it
-  std::string title{};                 ///< "": "Floor plan"
+  Origin origin{};                 ///< origin of the coordinates
+  PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
+  std::string title{};             ///< "": "Floor plan"
+  std::string client{};            ///< of the title block, as are the next ones
+  std::string project{};
+  std::string date{};
+  std::string drawn_by{};
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 
@@ -55,12 +59,13 @@ std::string floorplanToPdf(const Floorplan& plan, const DrawingSettings& setting
  * height from the upper left corner. */
 Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& settings);
 
-/** @brief Writes a floor plan as DXF (AutoCAD release 12), one unit per metre, in the
+/** @brief Writes a floor plan as DXF (AutoCAD 2013, UTF-8), one unit per metre, in the
  * coordinates of the plan, with a resolution of 0.1 micrometres.
  *
  * Layers are named after the US National CAD Standard: A-WALL, A-COLS, A-CLNG, ...; see
  * the page on drawings. Rooms are closed polylines with bulges, walls and columns LINE,
- * ARC and CIRCLE, lengths DIMENSION. Text heights are those of the sheet at its scale.
+ * ARC and CIRCLE, openings blocks with attributes in gaps of their walls, lengths
+ * DIMENSION. Text heights are those of the sheet at its scale.
  * @param settings title is not used */
 std::string floorplanToDxf(const Floorplan& plan, const DrawingSettings& settings = {});
 

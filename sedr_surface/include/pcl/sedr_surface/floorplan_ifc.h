@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/tilted_walls.h>
+#include <pcl/sedr_surface/schedules.h>
 
 #include <cstddef>
 #include <string>
@@ -20,7 +21,8 @@ enum class IfcArcs { Exact, Facets };
 
 /** @brief Settings of writeIfc(). */
 struct IfcSettings {
-  std::string name = "building"; ///< of project and building; the GUIDs depend on it
+  std::string name = "building"; ///< of project and building
+  std::string scan;              ///< see PlanDocument::scan; GUIDs depend on both
   std::string crs;               ///< grid of the origin, such as EPSG:25832
   IfcArcs arcs = IfcArcs::Exact;
   double assumed_thickness = 0.2;      ///< if one face was seen, metres, 0.02 to 2
@@ -37,6 +39,7 @@ struct IfcModel {
   std::size_t columns = 0;
   std::size_t openings = 0;
   std::size_t stairs = 0;            ///< those with flights
+  Schedules schedules;               ///< of what was written, with the same numbers
   std::vector<PlanWarning> warnings; ///< what could not be written
 };
 
@@ -57,10 +60,14 @@ struct IfcModel {
  * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
  * IfcCovering, narrow ones IfcBeam. Openings are cut in their walls and deeper
  * than these; niches are recesses. Stairs are IfcStair with their flights. Spaces refer
- * to the walls and slabs around them (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds
- * residuals, shares and numbers of points.
+ * to the walls and slabs around them (IfcRelSpaceBoundary1stLevel). A storey lies at
+ * its usual floor. Walls, doors and windows have the numbers of the sheet as tags,
+ * their property sets (Pset_WallCommon, ...), their quantities to a millimetre, and
+ * doors and windows their types. Pset_SEDR holds residuals, shares and numbers of
+ * points.
  *
- * The same plan gives the same bytes, and the same names the same GUIDs.
+ * The same plan gives the same bytes; the same project, scan and element have the same
+ * GUID.
  *
  * @param plan fitted plan; without rooms the building is empty
  * @param origin origin of the coordinates, written as IfcMapConversion unless it is 0

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief A row of the schedule of rooms; metres. */
+struct RoomRow {
+  std::uint32_t id = 0;
+  std::string name;
+  std::string storey;
+  double area = 0;
+  double area_2_0 = 0; ///< with at least 2.0 m of headroom
+  double area_1_5 = 0; ///< with at least 1.5 m of headroom
+  double perimeter = 0;
+  double height = 0; ///< the usual one, see ClearHeight
+  double lowest = 0;
+  double highest = 0;
+  double volume = 0;
+  double measured = -1; ///< share of its walls; -1: not known
+};
+
+/** @brief A row of the schedule of doors, windows and passages; metres. */
+struct OpeningRow {
+  std::string mark; ///< see markOf()
+  std::string kind;
+  std::string storey;
+  double width = 0;
+  double height = 0;
+  double sill = 0;                    ///< above the floor, see sillOf()
+  std::string leaf{};                 ///< "left", "right", "double"; see leafOf()
+  std::uint32_t swing = 0;            ///< room that the leaf opens into
+  std::array<std::uint32_t, 2> rooms; ///< 0: outside
+  double confidence = 0;              ///< probability of the kind
+
+  double head() const { return sill + height; }
+};
+
+/** @brief A row of the schedule of walls; metres. */
+struct WallRow {
+  std::string number; ///< that of its face on the sheet: "3.12"
+  std::string other;  ///< of the face on its other side; "": not seen
+  std::string storey;
+  bool is_external = false;
+  double thickness = 0;
+  std::string known_by{}; ///< "faces", "reveals", "storey" or "assumed"
+  double length = 0;
+  double height = 0;     ///< the maximum
+  double gross_area = 0; ///< of one side
+  double net_area = 0;   ///< without openings
+  double gross_volume = 0;
+  double net_volume = 0;
+  double measured = -1; ///< share of its faces; -1: not known
+};
+
+/** @brief The schedules of a building. */
+struct Schedules {
+  std::vector<RoomRow> rooms;
+  std::vector<OpeningRow> openings; ///< by kind and number
+  std::vector<WallRow> walls;
+};
+
+/** @brief A schedule as texts, with a name such as "rooms"; names of columns end in the
+ * unit: "area_m2". */
+struct ScheduleTable {
+  std::string name;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/** @brief Returns the hand of a door's leaf as one sees it who pushes it open, as IFC
+ * does: "left" or "right", where its hinges are; "double"; "" if it is not known. */
+std::string leafOf(const PlanOpening& opening);
+
+/** @brief Returns the row of a room.
+ * @param storey its name
+ * @param volume of its solid */
+RoomRow roomRow(const Floorplan& plan,
+                const PlanRoom& room,
+                const std::string& storey,
+                double volume);
+
+/** @brief Returns the rows of the openings, by kind and number.
+ * @param plan with numbers, see numberOpenings() */
+std::vector<OpeningRow> openingRows(const Floorplan& plan);
+
+/** @brief Returns rooms, openings and walls as tables; lengths, areas and volumes with
+ * three decimals. */
+std::vector<ScheduleTable> tablesOf(const Schedules& schedules);
+
+/** @brief Returns a table as CSV (RFC 4180) in UTF-8, with a line of names. */
+std::string csvOf(const ScheduleTable& table);
+
+} // namespace pcl::sedr

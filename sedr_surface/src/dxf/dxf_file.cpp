@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dxf_file.h"
+
+#include "sedr_filters/src/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+namespace {
+
+constexpr const char* style_name = "Standard";
+constexpr int invisible = 1; ///< flag of attributes
+
+double
+degreesOf(const Eigen::Vector2d& way)
+{
+  const double degrees = std::atan2(way.y(), way.x()) * 180 / M_PI;
+  return degrees < 0 ? degrees + 360 : degrees;
+}
+
+/** @brief Returns a text as one line. */
+std::string
+lineOf(std::string text)
+{
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return text;
+}
+
+DxfText
+section(const char* name, const DxfText& content)
+{
+  DxfText text;
+  text.group(0, "SECTION").group(2, name);
+  return text.append(content).group(0, "ENDSEC");
+}
+
+DxfText
+header(const Eigen::AlignedBox2d& bounds, const std::string& next_handle)
+{
+  constexpr int metres = 6;
+  constexpr int metric = 1;
+  constexpr int decimal = 2;
+  DxfText dxf;
+  dxf.group(9, "$ACADVER").group(1, "AC1027");
+  dxf.group(9, "$HANDSEED").group(5, next_handle);
+  dxf.group(9, "$INSUNITS").group(70, metres);
+  dxf.group(9, "$MEASUREMENT").group(70, metric);
+  dxf.group(9, "$LUNITS").group(70, decimal);
+  dxf.group(9, "$EXTMIN").place(bounds.min());
+  return dxf.group(9, "$EXTMAX").place(bounds.max());
+}
+
+} // namespace
+
+DxfText&
+DxfText::group(int code, const std::string& value)
+{
+  text_ += std::to_string(code) + "\n" + value + "\n";
+  return *this;
+}
+
+DxfText&
+DxfText::group(int code, const char* value)
+{
+  return group(code, std::string(value));
+}
+
+DxfText&
+DxfText::group(int code, double value)
+{
+  return group(code, decimalText(value, 7));
+}
+
+DxfText&
+DxfText::group(int code, int value)
+{
+  return group(code, std::to_string(value));
+}
+
+DxfText&
+DxfText::place(const Eigen::Vector2d& p, int x_code)
+{
+  return group(x_code, p.x()).group(x_code + 10, p.y()).group(x_code + 20, 0.0);
+}
+
+DxfText&
+DxfText::append(const DxfText& other)
+{
+  text_ += other.text_;
+  return *this;
+}
+
+std::string
+DxfHandles::next()
+{
+  return formatText("%X", ++last_);
+}
+
+DxfText&
+DxfBlock::begin(const char* type, const char* layer, const char* kind)
+{
+  entities_.group(0, type).group(5, handles_.next()).group(330, record_);
+  return entities_.group(100, "AcDbEntity").group(8, layer).group(100, kind);
+}
+
+void
+DxfBlock::line(const char* layer,
+               const Eigen::Vector2d& from,
+               const Eigen::Vector2d& to)
+{
+  begin("LINE", layer, "AcDbLine").place(from).place(to, 11);
+}
+
+void
+DxfBlock::element(const char* layer, const PlanElement& e)
+{
+  if (!e.isArc()) {
+    line(layer, e.start, e.end);
+    return;
+  }
+  const bool is_circle = std::abs(e.sweep()) > 2 * M_PI - 1e-9;
+  begin(is_circle ? "CIRCLE" : "ARC", layer, "AcDbCircle")
+      .place(e.centre)
+      .group(40, e.radius);
+  if (is_circle)
+    return;
+  // DXF arcs run counter-clockwise from the first angle to the second.
+  const Eigen::Vector2d& from = e.counter_clockwise ? e.start : e.end;
+  const Eigen::Vector2d& to = e.counter_clockwise ? e.end : e.start;
+  entities_.group(100, "AcDbArc")
+      .group(50, degreesOf(from - e.centre))
+      .group(51, degreesOf(to - e.centre));
+}
+
+void
+DxfBlock::outline(const char* layer, const PlanLoop& loop)
+{
+  constexpr int closed = 1;
+  DxfText vertices;
+  int count = 0;
+  // A vertex, and the tangent of a quarter of the angle of the arc after it.
+  const auto addVertex = [&](const Eigen::Vector2d& place, double turn) {
+    ++count;
+    vertices.group(10, place.x()).group(20, place.y());
+    if (turn != 0)
+      vertices.group(42, std::tan(turn / 4));
+  };
+  for (const PlanElement& e : loop.elements) {
+    const double turn = e.isArc() ? e.sweep() : 0;
+    const bool is_long = std::abs(turn) > M_PI; // it cannot express a whole circle
+    addVertex(e.start, is_long ? turn / 2 : turn);
+    if (is_long)
+      addVertex(e.pointAt(e.length() / 2), turn / 2);
+  }
+  if (count > 0)
+    begin("LWPOLYLINE", layer, "AcDbPolyline")
+        .group(90, count)
+        .group(70, closed)
+        .append(vertices);
+}
+
+void
+DxfBlock::textAt(const Eigen::Vector2d& at, double height, const std::string& text)
+{
+  entities_.place(at).group(40, height).group(1, lineOf(text));
+}
+
+void
+DxfBlock::label(const char* layer,
+                const Eigen::Vector2d& at,
+                double height,
+                const std::string& text,
+                double degrees)
+{
+  begin("TEXT", layer, "AcDbText");
+  textAt(at, height, text);
+  entities_.group(50, degrees).group(72, 1).place(at, 11);
+  entities_.group(100, "AcDbText").group(73, 2);
+}
+
+void
+DxfBlock::dimension(const char* layer,
+                    const Dimension& dimension,
+                    const std::string& shown)
+{
+  constexpr int rotated = 0; // all programs measure it along the angle
+  constexpr int has_place_of_text = 128;
+  constexpr int block_of_its_own = 32;
+  begin("DIMENSION", layer, "AcDbDimension").group(2, shown);
+  entities_.place(dimension.end).place(dimension.text, 11);
+  entities_.group(70, rotated + has_place_of_text + block_of_its_own).group(1, "");
+  entities_.group(3, style_name).group(100, "AcDbAlignedDimension");
+  entities_.place(dimension.from, 13).place(dimension.to, 14);
+  entities_.group(50, dimension.degrees).group(100, "AcDbRotatedDimension");
+}
+
+void
+DxfBlock::declare(const char* layer, const std::vector<Attribute>& attributes)
+{
+  for (const auto& [tag, value] : attributes) {
+    begin("ATTDEF", layer, "AcDbText");
+    textAt({0, 0}, 0.1, value);
+    entities_.group(100, "AcDbAttributeDefinition").group(3, tag).group(2, tag);
+    entities_.group(70, invisible);
+  }
+}
+
+void
+DxfBlock::insert(const char* layer,
+                 const std::string& block,
+                 const Eigen::Vector2d& at,
+                 double degrees,
+                 const std::vector<Attribute>& attributes)
+{
+  constexpr int attributes_follow = 1;
+  begin("INSERT", layer, "AcDbBlockReference").group(66, attributes_follow);
+  entities_.group(2, block).place(at).group(50, degrees);
+  for (const auto& [tag, value] : attributes) {
+    begin("ATTRIB", layer, "AcDbText");
+    textAt(at, 0.1, value);
+    entities_.group(100, "AcDbAttribute").group(2, tag).group(70, invisible);
+  }
+  entities_.group(0, "SEQEND").group(5, handles_.next()).group(330, record_);
+  entities_.group(100, "AcDbEntity").group(8, layer);
+}
+
+DxfText
+DxfBlock::definition(bool has_entities) const
+{
+  DxfText block;
+  block.group(0, "BLOCK").group(5, handles_.next()).group(330, record_);
+  block.group(100, "AcDbEntity").group(8, "0").group(100, "AcDbBlockBegin");
+  block.group(2, name_).group(70, flags_).place({0, 0}).group(3, name_).group(1, "");
+  if (has_entities)
+    block.append(entities_);
+  block.group(0, "ENDBLK").group(5, handles_.next()).group(330, record_);
+  return block.group(100, "AcDbEntity").group(8, "0").group(100, "AcDbBlockEnd");
+}
+
+DxfBlock&
+DxfFile::addBlock(const std::string& name, int flags)
+{
+  return blocks_.emplace_back(handles_, name, flags);
+}
+
+DxfText
+DxfFile::record(const char* type, const char* kind, const std::string& name)
+{
+  const bool is_style = std::string(type) == "DIMSTYLE";
+  DxfText text;
+  text.group(0, type).group(is_style ? 105 : 5, handles_.next());
+  text.group(100, "AcDbSymbolTableRecord").group(100, kind);
+  return text.group(2, name).group(70, 0);
+}
+
+DxfText
+DxfFile::table(const char* name, const std::vector<DxfText>& records)
+{
+  const int count = static_cast<int>(records.size());
+  DxfText text;
+  text.group(0, "TABLE").group(2, name).group(5, handles_.next()).group(330, "0");
+  text.group(100, "AcDbSymbolTable").group(70, count);
+  if (std::string(name) == "DIMSTYLE")
+    text.group(100, "AcDbDimStyleTable").group(71, count);
+  for (const DxfText& record : records)
+    text.append(record);
+  return text.group(0, "ENDTAB");
+}
+
+DxfText
+DxfFile::tables(const Eigen::AlignedBox2d& bounds)
+{
+  constexpr const char* line_type = "AcDbLinetypeTableRecord";
+  DxfText view = record("VPORT", "AcDbViewportTableRecord", "*Active");
+  const Eigen::Vector2d middle = bounds.center();
+  view.group(10, 0.0).group(20, 0.0).group(11, 1.0).group(21, 1.0);
+  view.group(12, middle.x()).group(22, middle.y());
+  view.group(40, 1.2 * std::max(bounds.sizes().maxCoeff(), 1.0)).group(41, 1.5);
+  std::vector<DxfText> types;
+  for (const char* name : {"ByBlock", "ByLayer", "Continuous"})
+    types.push_back(record("LTYPE", line_type, name)
+                        .group(3, "")
+                        .group(72, 65)
+                        .group(73, 0)
+                        .group(40, 0.0));
+  DxfText dashed = record("LTYPE", line_type, "DASHED").group(3, "__ __ __");
+  dashed.group(72, 65).group(73, 2).group(40, 0.15);
+  types.push_back(dashed.group(49, 0.1).group(74, 0).group(49, -0.05).group(74, 0));
+  std::vector<DxfText> layers;
+  constexpr int usual_width = -3;
+  for (const DxfLayer& layer : layers_)
+    layers.push_back(record("LAYER", "AcDbLayerTableRecord", layer.name)
+                         .group(62, layer.colour)
+                         .group(6, layer.is_dashed ? "DASHED" : "Continuous")
+                         .group(290, layer.is_plotted ? 1 : 0)
+                         .group(370, layer.width > 0 ? static_cast<int>(std::lround(
+                                                           100 * layer.width))
+                                                     : usual_width));
+  DxfText style = record("STYLE", "AcDbTextStyleTableRecord", style_name);
+  style.group(40, 0.0).group(41, 0.8).group(50, 0.0).group(71, 0).group(42, 0.2);
+  style.group(3, "arial.ttf").group(4, "");
+  DxfText dimensions = record("DIMSTYLE", "AcDbDimStyleTableRecord", style_name);
+  dimensions.group(40, 1.0).group(41, text_height_).group(42, text_height_ / 4);
+  dimensions.group(44, text_height_ / 2).group(77, 1).group(140, text_height_);
+  std::vector<DxfText> blocks;
+  const auto addRecord = [&](const DxfBlock& block) {
+    DxfText text;
+    text.group(0, "BLOCK_RECORD").group(5, block.record());
+    text.group(100, "AcDbSymbolTableRecord").group(100, "AcDbBlockTableRecord");
+    blocks.push_back(text.group(2, block.name()).group(340, "0"));
+  };
+  addRecord(model_);
+  addRecord(paper_);
+  std::for_each(blocks_.begin(), blocks_.end(), addRecord);
+  return DxfText()
+      .append(table("VPORT", {view}))
+      .append(table("LTYPE", types))
+      .append(table("LAYER", layers))
+      .append(table("STYLE", {style}))
+      .append(table("VIEW", {}))
+      .append(table("UCS", {}))
+      .append(table("APPID", {record("APPID", "AcDbRegAppTableRecord", "ACAD")}))
+      .append(table("DIMSTYLE", {dimensions}))
+      .append(table("BLOCK_RECORD", blocks));
+}
+
+std::string
+DxfFile::text(const Eigen::AlignedBox2d& bounds,
+              const std::vector<std::string>& comments)
+{
+  DxfText blocks = model_.definition(false).append(paper_.definition(false));
+  for (const DxfBlock& block : blocks_)
+    blocks.append(block.definition(true));
+  const std::string root = handles_.next();
+  const std::string groups = handles_.next();
+  DxfText objects;
+  objects.group(0, "DICTIONARY").group(5, root).group(330, "0");
+  objects.group(100, "AcDbDictionary").group(281, 1);
+  objects.group(3, "ACAD_GROUP").group(350, groups);
+  objects.group(0, "DICTIONARY").group(5, groups).group(330, root);
+  objects.group(100, "AcDbDictionary").group(281, 1);
+  const DxfText all = tables(bounds);
+  DxfText file;
+  for (const std::string& comment : comments)
+    file.group(999, comment);
+  return file.append(section("HEADER", header(bounds, handles_.next())))
+      .append(section("CLASSES", {}))
+      .append(section("TABLES", all))
+      .append(section("BLOCKS", blocks))
+      .append(section("ENTITIES", model_.entities()))
+      .append(section("OBJECTS", objects))
+      .group(0, "EOF")
+      .text();
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <Eigen/Geometry>
+
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Text of a DXF file: pairs of a group code and a value, one per line. */
+class DxfText {
+public:
+  DxfText& group(int code, const std::string& value);
+  DxfText& group(int code, const char* value);
+  DxfText& group(int code, double value);
+  DxfText& group(int code, int value);
+  DxfText& place(const Eigen::Vector2d& p, int x_code = 10);
+  DxfText& append(const DxfText& other);
+
+  const std::string& text() const { return text_; }
+
+private:
+  std::string text_;
+};
+
+/** @brief Numbers of the objects of a file, hexadecimal. */
+class DxfHandles {
+public:
+  std::string next();
+
+private:
+  unsigned last_ = 0;
+};
+
+/** @brief The entities of a block: of the model, or of one that is inserted. */
+class DxfBlock {
+public:
+  DxfBlock(DxfHandles& handles, std::string name, int flags = 0)
+      : handles_(handles)
+      , name_(std::move(name))
+      , flags_(flags)
+      , record_(handles.next())
+  {}
+
+  void line(const char* layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+
+  /** @brief Adds a segment, arc or circle. */
+  void element(const char* layer, const PlanElement& e);
+
+  /** @brief Adds a loop as one closed polyline, arcs as bulges. */
+  void outline(const char* layer, const PlanLoop& loop);
+
+  /** @brief Adds a line of text centred at a place, `height` metres high.
+   * @param text UTF-8 */
+  void label(const char* layer,
+             const Eigen::Vector2d& at,
+             double height,
+             const std::string& text,
+             double degrees = 0);
+
+  /** @brief A dimension that programs measure again, metres. */
+  struct Dimension {
+    Eigen::Vector2d from; ///< what it measures
+    Eigen::Vector2d to;
+    Eigen::Vector2d end;  ///< of its line
+    Eigen::Vector2d text; ///< place of its text
+    double degrees = 0;   ///< of its line
+  };
+
+  /** @param shown block that displays it */
+  void
+  dimension(const char* layer, const Dimension& dimension, const std::string& shown);
+
+  using Attribute = std::pair<std::string, std::string>; ///< its tag and its value
+
+  /** @brief Declares invisible attributes that insertions of this block have. */
+  void declare(const char* layer, const std::vector<Attribute>& attributes);
+
+  /** @brief Adds an insertion of a block with values of its attributes. */
+  void insert(const char* layer,
+              const std::string& block,
+              const Eigen::Vector2d& at,
+              double degrees,
+              const std::vector<Attribute>& attributes);
+
+  const std::string& name() const { return name_; }
+  const std::string& record() const { return record_; }
+  const DxfText& entities() const { return entities_; }
+
+  /** @brief Returns the block for the section of blocks. */
+  DxfText definition(bool has_entities) const;
+
+private:
+  DxfText& begin(const char* type, const char* layer, const char* kind);
+  void textAt(const Eigen::Vector2d& at, double height, const std::string& text);
+
+  DxfHandles& handles_;
+  std::string name_;
+  int flags_;
+  std::string record_; ///< handle of its record
+  DxfText entities_;
+};
+
+/** @brief A layer of a DXF. */
+struct DxfLayer {
+  const char* name;
+  int colour; ///< index of AutoCAD's palette
+  bool is_dashed;
+  double width; ///< millimetres; 0: the default
+  bool is_plotted = true;
+};
+
+/** @brief A DXF of release 2013 (AC1027), texts in UTF-8, one unit a metre. */
+class DxfFile {
+public:
+  /** @param text_height of dimensions, metres */
+  DxfFile(std::vector<DxfLayer> layers, double text_height)
+      : layers_(std::move(layers))
+      , text_height_(text_height)
+  {}
+
+  DxfBlock& model() { return model_; }
+
+  /** @brief Adds a block; references to it remain valid.
+   * @param flags 1: of a dimension, 2: it has attributes */
+  DxfBlock& addBlock(const std::string& name, int flags);
+
+  /** @param comments before the header */
+  std::string text(const Eigen::AlignedBox2d& bounds,
+                   const std::vector<std::string>& comments);
+
+private:
+  DxfText tables(const Eigen::AlignedBox2d& bounds);
+  DxfText table(const char* name, const std::vector<DxfText>& records);
+  DxfText record(const char* type, const char* kind, const std::string& name);
+
+  std::vector<DxfLayer> layers_;
+  double text_height_;
+  DxfHandles handles_;
+  DxfBlock model_{handles_, "*Model_Space"};
+  DxfBlock paper_{handles_, "*Paper_Space"};
+  std::deque<DxfBlock> blocks_;
+};
+
+} // namespace pcl::sedr

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/base/number_text.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_surface/schedules.h>
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief A column of a schedule. */
+template <typename Row>
+struct Column {
+  const char* name;
+  std::function<std::string(const Row&)> text;
+};
+
+std::string
+measure(double value)
+{
+  return decimalText(value, 3);
+}
+
+/** @brief Returns a share in percent, nothing if it is not known. */
+std::string
+percent(double share)
+{
+  return share < 0 ? "" : decimalText(100 * share, 0);
+}
+
+std::string
+roomText(std::uint32_t room)
+{
+  return room == 0 ? "outside" : std::to_string(room);
+}
+
+template <typename Row>
+ScheduleTable
+tableOf(const char* name,
+        const std::vector<Column<Row>>& columns,
+        const std::vector<Row>& rows)
+{
+  ScheduleTable table{name, {}, {}};
+  for (const Column<Row>& column : columns)
+    table.columns.emplace_back(column.name);
+  for (const Row& row : rows) {
+    table.rows.emplace_back();
+    for (const Column<Row>& column : columns)
+      table.rows.back().push_back(column.text(row));
+  }
+  return table;
+}
+
+const std::vector<Column<RoomRow>> room_columns{
+    {"room", [](const RoomRow& r) { return std::to_string(r.id); }},
+    {"name", [](const RoomRow& r) { return r.name; }},
+    {"storey", [](const RoomRow& r) { return r.storey; }},
+    {"area_m2", [](const RoomRow& r) { return measure(r.area); }},
+    {"area_above_2.0m_m2", [](const RoomRow& r) { return measure(r.area_2_0); }},
+    {"area_above_1.5m_m2", [](const RoomRow& r) { return measure(r.area_1_5); }},
+    {"perimeter_m", [](const RoomRow& r) { return measure(r.perimeter); }},
+    {"height_m", [](const RoomRow& r) { return measure(r.height); }},
+    {"lowest_m", [](const RoomRow& r) { return measure(r.lowest); }},
+    {"highest_m", [](const RoomRow& r) { return measure(r.highest); }},
+    {"volume_m3", [](const RoomRow& r) { return measure(r.volume); }},
+    {"walls_measured_percent", [](const RoomRow& r) { return percent(r.measured); }}};
+
+const std::vector<Column<OpeningRow>> opening_columns{
+    {"number", [](const OpeningRow& o) { return o.mark; }},
+    {"kind", [](const OpeningRow& o) { return o.kind; }},
+    {"storey", [](const OpeningRow& o) { return o.storey; }},
+    {"width_m", [](const OpeningRow& o) { return measure(o.width); }},
+    {"height_m", [](const OpeningRow& o) { return measure(o.height); }},
+    {"sill_m", [](const OpeningRow& o) { return measure(o.sill); }},
+    {"head_m", [](const OpeningRow& o) { return measure(o.head()); }},
+    {"leaf", [](const OpeningRow& o) { return o.leaf; }},
+    {"opens_into",
+     [](const OpeningRow& o) { return o.leaf.empty() ? "" : roomText(o.swing); }},
+    {"from_room", [](const OpeningRow& o) { return roomText(o.rooms[0]); }},
+    {"to_room", [](const OpeningRow& o) { return roomText(o.rooms[1]); }},
+    {"confidence_percent", [](const OpeningRow& o) { return percent(o.confidence); }}};
+
+const std::vector<Column<WallRow>> wall_columns{
+    {"number", [](const WallRow& w) { return w.number; }},
+    {"other_face", [](const WallRow& w) { return w.other; }},
+    {"storey", [](const WallRow& w) { return w.storey; }},
+    {"external",
+     [](const WallRow& w) { return std::string(w.is_external ? "yes" : "no"); }},
+    {"thickness_m", [](const WallRow& w) { return measure(w.thickness); }},
+    {"thickness_known_by", [](const WallRow& w) { return w.known_by; }},
+    {"length_m", [](const WallRow& w) { return measure(w.length); }},
+    {"height_m", [](const WallRow& w) { return measure(w.height); }},
+    {"gross_area_m2", [](const WallRow& w) { return measure(w.gross_area); }},
+    {"net_area_m2", [](const WallRow& w) { return measure(w.net_area); }},
+    {"measured_percent", [](const WallRow& w) { return percent(w.measured); }}};
+
+/** @brief Quotes a field that has a comma, a quote or the end of a line. */
+std::string
+fieldOf(std::string text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  boost::replace_all(text, "\"", "\"\"");
+  return "\"" + text + "\"";
+}
+
+std::string
+lineOf(const std::vector<std::string>& texts)
+{
+  std::vector<std::string> fields;
+  for (const std::string& text : texts)
+    fields.push_back(fieldOf(text));
+  return boost::join(fields, ",") + "\r\n";
+}
+
+} // namespace
+
+std::string
+leafOf(const PlanOpening& opening)
+{
+  const std::vector<OpeningLeaf> leaves = leavesOf(opening);
+  if (leaves.size() != 1)
+    return leaves.empty() ? "" : "double";
+  const Eigen::Vector2d way = leaves[0].open - leaves[0].hinge;
+  const Eigen::Vector2d shut = leaves[0].shut - leaves[0].hinge;
+  return way.x() * shut.y() < way.y() * shut.x() ? "left" : "right";
+}
+
+RoomRow
+roomRow(const Floorplan& plan,
+        const PlanRoom& room,
+        const std::string& storey,
+        double volume)
+{
+  const ClearHeight height = clearHeight(room);
+  const WallShares walls = wallShares(plan, room);
+  const double area = std::max(room.area(), 0.0);
+  return {room.id,
+          room.name,
+          storey,
+          area,
+          area * height.share_2_0,
+          area * height.share_1_5,
+          room.perimeter(),
+          height.usual,
+          height.least,
+          height.greatest,
+          volume,
+          walls.area > 0 ? walls.measured : -1};
+}
+
+std::vector<OpeningRow>
+openingRows(const Floorplan& plan)
+{
+  std::vector<OpeningRow> rows;
+  const std::vector<PlanStorey> storeys = storeysOf(plan);
+  std::vector<const PlanOpening*> openings;
+  for (const PlanOpening& opening : plan.openings)
+    openings.push_back(&opening);
+  const auto rank = [](const PlanOpening* o) {
+    return std::tuple(o->kind == OpeningKind::Unknown, o->kind, o->number);
+  };
+  std::sort(
+      openings.begin(), openings.end(),
+      [&](const PlanOpening* a, const PlanOpening* b) { return rank(a) < rank(b); });
+  for (const PlanOpening* opening : openings) {
+    const std::uint32_t room = opening->rooms[opening->rooms[0] == 0 ? 1 : 0];
+    const auto storey =
+        std::find_if(storeys.begin(), storeys.end(), [room](const PlanStorey& s) {
+          return std::count(s.rooms.begin(), s.rooms.end(), room) > 0;
+        });
+    rows.push_back({markOf(*opening), nameOf(opening->kind),
+                    storey == storeys.end() ? "" : storey->name, opening->width(),
+                    opening->height(), sillOf(plan, *opening), leafOf(*opening),
+                    opening->swing, opening->rooms, opening->confidence});
+  }
+  return rows;
+}
+
+std::vector<ScheduleTable>
+tablesOf(const Schedules& schedules)
+{
+  return {tableOf("rooms", room_columns, schedules.rooms),
+          tableOf("openings", opening_columns, schedules.openings),
+          tableOf("walls", wall_columns, schedules.walls)};
+}
+
+std::string
+csvOf(const ScheduleTable& table)
+{
+  std::string csv = lineOf(table.columns);
+  for (const std::vector<std::string>& row : table.rows)
+    csv += lineOf(row);
+  return csv;
+}
+
+} // namespace pcl::sedr
