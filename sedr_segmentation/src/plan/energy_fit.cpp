@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "energy_fit.h"
 
+#include "../arrangement/storey_plan.h"
 #include "../faces/room_cells.h"
 #include "../loops/loop_assembly.h"
 #include "../niches/niche_fit.h"
@@ -282,6 +283,8 @@ fitPlanByEnergy(const PointView& points,
   noise.resize(storeys.size());
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s], noise[s]);
+    if (parameters.label_storeys)
+      labelStorey({storeys[s], cells, regions, grid}, StoreyEnergy(), rooms);
     for (const std::size_t r : storeys[s].rooms)
       noise[s].rooms.push_back(numbers[r]);
   });

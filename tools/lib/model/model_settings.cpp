@@ -60,6 +60,9 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
                "of a scan tilted by 0.3 to 3 degrees, write all results level");
   options.flag("no-mesh", s.no_mesh,
                "stop at the plan and its solid: no mesh.ply and no distances to it");
+  options.flag("label-storeys", s.label_storeys,
+               "find the outlines of a storey's rooms by one labelling of the cells "
+               "between all its walls, see doc/floorplan_fitting.md (experimental)");
   options.flag("partial", s.partial,
                "write the model even if it holds less than half of the floor that was "
                "seen");
@@ -80,6 +83,7 @@ apply(const ModelSettings& s, Reconstruction& chain)
 {
   chain.setPriors(readPriors(s.priors));
   chain.setNumberOfThreads(s.threads);
+  chain.getChain().floorplan_fitting.setLabelStoreys(s.label_storeys);
   chain.getChain().extrusion.setCutOpenings(s.openings == "cut");
 }
 

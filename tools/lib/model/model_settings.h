@@ -21,6 +21,7 @@ struct ModelSettings {
   ScanOptions scan; ///< settings for reading, including the unit
   unsigned threads = 0;
   bool no_mesh = false;
+  bool label_storeys = false; ///< outlines by one labelling of each storey
   bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;

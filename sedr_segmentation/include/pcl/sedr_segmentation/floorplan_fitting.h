@@ -45,6 +45,7 @@ struct RoomFitParameters {
   double maximum_radius = 25;        ///< of an arc; flatter ones are segments
   double minimum_detail_area = 0.25; ///< square metres
   std::uint64_t seed = 1;            ///< of the planes' random samples
+  bool label_storeys = false;        ///< outlines by one labelling of each storey
   unsigned threads = 0;              ///< 0: all processors
 };
 
@@ -212,6 +213,11 @@ public:
   /** @brief Sets the seed of the random samples. Default 1. */
   void setSeed(std::uint64_t seed) { parameters_.seed = seed; }
   std::uint64_t getSeed() const { return parameters_.seed; }
+
+  /** @brief Sets whether the outlines of a storey's rooms are found by one labelling
+   * of the cells between all its lines, not room by room. Default: false. */
+  void setLabelStoreys(bool on) { parameters_.label_storeys = on; }
+  bool getLabelStoreys() const { return parameters_.label_storeys; }
 
   /** @brief Fits the plan.
    * @param[out] plan its rooms by increasing number; empty if there are none

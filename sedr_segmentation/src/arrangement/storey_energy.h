@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_cells.h"
+#include "storey_lines.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief The energy of the labels of a storey's cells, nats: each cell is a room's, or
+ * none. Weights are for a square metre of a cell, or a metre of border or surface.
+ *
+ *     E(labels) = sum over cells     area x (`seen` where air of another room was seen,
+ *                       or of any room and the cell is none; `unseen` of a room where
+ *                       nobody saw air; `taken` of none where a room's region is)
+ *                     + surface x (`front` if the cell before it is not of the room
+ * that saw it; `behind` if the cell behind it is)
+ *               + sum over borders   length x (`wall` + what was not explained of the
+ *                       surface there x (`gap`, `ended` or `open`: StoreyLine::Between;
+ *                       at least `off`))
+ *               + sum over lines in use   parameters x `line` */
+struct StoreyEnergy {
+  double seen = 40;
+  double taken = 2;
+  double unseen = 12;
+  double front = 8;
+  double behind = 8;
+  double wall = 0.15;
+  double off = 4;
+  double gap = 1;
+  double ended = 3;
+  double open = 10;
+  double line = 0.7;
+};
+
+/** @brief The rooms of a storey and what is known of them. */
+struct StoreyEvidence {
+  const Storey& storey;
+  const std::vector<RoomCells>& cells;
+  const std::vector<RoomRegion>& regions;
+  const CellGrid& grid;
+};
+
+/** @brief What labels of cells and borders between them cost. Label 0 is none, label
+ * k > 0 the k-th room of the storey. */
+class StoreyCosts {
+public:
+  /** @param lines which have StoreyLine::any
+   * @param borders with the numbers of lines */
+  StoreyCosts(const StoreyEvidence& evidence,
+              const StoreyEnergy& energy,
+              const std::vector<StoreyLine>& lines,
+              const std::vector<PlanCells::Polygon>& polygons,
+              const std::vector<CellBorder>& borders);
+
+  std::size_t labels() const { return labels_; }
+  std::size_t cells() const { return of_cell_.size() / labels_; }
+
+  double ofCell(std::size_t cell, int label) const
+  {
+    return of_cell_[cell * labels_ + static_cast<std::size_t>(label)];
+  }
+
+  /** @brief Returns what a border between two labels costs.
+   * @param in_use whether its line may be used */
+  double ofBorder(std::size_t border, int left, int right, bool in_use) const;
+
+private:
+  /** @brief What a border costs by the rooms that saw its surface. */
+  struct BorderCost {
+    double open = 0;  ///< without its line
+    double other = 0; ///< beside no room that saw it
+    std::vector<std::pair<int, double>> of_room;
+  };
+
+  void addAreas(const StoreyEvidence& evidence,
+                const std::vector<PlanCells::Polygon>& polygons);
+  void addFronts(const StoreyEvidence& evidence,
+                 const StoreyLine& line,
+                 const CellBorder& border);
+  BorderCost costOf(const StoreyLine& line, const CellBorder& border) const;
+
+  StoreyEnergy energy_;
+  std::size_t labels_;
+  std::vector<CellMask> reveals_; ///< by room: recesses with a lower ceiling
+  std::vector<int> label_of_;     ///< of each room
+  std::vector<double> of_cell_;
+  std::vector<BorderCost> of_border_;
+};
+
+} // namespace pcl::sedr
