@@ -3,6 +3,7 @@
 #include "sedr_filters/src/base/number_text.h"
 
 #include "plain_text.h"
+#include "result_exchange.h"
 #include "tool_error.h"
 
 #include <pcl/console/print.h>
@@ -77,6 +78,7 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
       checkPrinted();
       return Done;
     }
+    finishExchanges({argv + 1, argv + argc});
     const int exit_code = body();
     if (exit_code == Done)
       checkPrinted();

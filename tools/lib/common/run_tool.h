@@ -9,9 +9,10 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief Implements main(): parses the command line, prints the help or calls `body`,
- * and prints an exception as one sentence on stderr. PCL's own messages are silenced;
- * `body` throws the reasons that stages give as ToolError.
+/** @brief Implements main(): parses the command line, prints the help or finishes
+ * exchanges of results that were killed and calls `body`, and prints an exception as
+ * one sentence on stderr. PCL's own messages are silenced; `body` throws the reasons
+ * that stages give as ToolError.
  * @return 0 done, 1 bad use or unreadable input, 2 nothing found; else the value from
  * `body` */
 int runTool(Options& options, int argc, char** argv, const std::function<int()>& body);

@@ -10,10 +10,6 @@ namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/** @brief Checks whether a name, of a report that anybody may have written, is that of
- * a file within the folder. */
 bool
 isWithin(const fs::path& folder, const fs::path& name)
 {
@@ -24,8 +20,6 @@ isWithin(const fs::path& folder, const fs::path& name)
       std::mismatch(whole.begin(), whole.end(), parent.begin(), parent.end()).first;
   return !error && name.is_relative() && name.has_filename() && beyond == whole.end();
 }
-
-} // namespace
 
 std::vector<std::string>
 writtenFiles(const fs::path& folder)

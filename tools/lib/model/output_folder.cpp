@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_folder.h"
 
+#include "result_exchange.h"
 #include "run_tool.h"
 #include "tool_error.h"
 #include "written_files.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -53,7 +53,7 @@ refuse(const fs::path& folder, const std::string& reason)
 OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inputs)
     : path_(path.empty() ? throw ToolError("the output folder has no name")
                          : fs::absolute(path))
-    , part_(path_ / ".pcl_sedr.part")
+    , part_(path_ / hidden_folder)
     , inputs_(std::move(inputs))
 {
   // Threads that are started later leave interrupts to the one that awaits them.
@@ -69,6 +69,8 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     if (error)
       refuse(path_, error.message());
     lock();
+    if (isExchangeBegun(path_))
+      finishExchange(path_);
     for (const auto& entry : fs::directory_iterator(part_)) // of a run that was killed
       fs::remove_all(entry, error);
     startAwaiting(awaited);
@@ -128,11 +130,20 @@ OutputFolder::clean() const
 {
   std::error_code error;
   if (lock_ >= 0) {
-    fs::remove_all(part_, error);
+    removeHidden();
     close(lock_);
   }
   for (const auto& folder : missing_)
     fs::remove(folder, error); // only if it is empty
+}
+
+/** @brief Removes the hidden folder, unless what is in it belongs to the results. */
+void
+OutputFolder::removeHidden() const
+{
+  std::error_code error;
+  if (!isExchangeBegun(path_))
+    fs::remove_all(part_, error);
 }
 
 /** @brief Removes the hidden folder at an interrupt, while other threads may still
@@ -147,7 +158,7 @@ OutputFolder::awaitInterrupt(sigset_t awaited)
   constexpr int most_tries = 1000;
   std::error_code error;
   for (int k = 0; k < most_tries && fs::exists(part_, error); ++k)
-    fs::remove_all(part_, error);
+    removeHidden();
   for (const auto& folder : missing_)
     fs::remove(folder, error); // only if it is empty
   if (!is_moved_)
@@ -204,58 +215,19 @@ OutputFolder::written() const
   return names;
 }
 
-/** @brief Keeps a file that is newer than the report of the run before as file~, or
- * file~~ if there is one already, ... */
-void
-OutputFolder::keepEdited(const std::string& name) const
-{
-  std::error_code error;
-  const auto written = fs::last_write_time(path_ / "report.json", error);
-  if (error || !(fs::last_write_time(path_ / name, error) > written))
-    return;
-  std::string kept = name + "~";
-  while (fs::exists(fs::symlink_status(path_ / kept, error)))
-    kept += "~";
-  const std::string edited =
-      "'" + (path_ / name).string() + "' was changed after the run before";
-  fs::copy_file(path_ / name, path_ / kept, error);
-  if (error)
-    refuse(path_, edited + " and cannot be kept: " + error.message());
-  warnOnce(edited + ": it is kept as " + kept);
-}
-
 void
 OutputFolder::exchange()
 {
   const std::vector<std::string> names = written();
   check(names);
-  std::vector<std::pair<std::string, std::string>> moves;
-  std::error_code error;
-  for (const auto& name : names) {
-    moves.emplace_back(part_ / name, path_ / name);
-    fs::create_directories((path_ / name).parent_path(), error);
-  }
-  std::vector<std::string> old;
+  std::vector<std::string> removed;
   for (const auto& name : writtenFiles(path_))
     if (!std::binary_search(names.begin(), names.end(), name) && !isInput(path_ / name))
-      old.push_back(path_ / name);
-  keepEdited("floorplan.json");
-  std::vector<std::string> emptied; // folders, of which those that are empty go
-  for (const auto& file : old)
-    if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
-      emptied.push_back(folder);
+      removed.push_back(name);
   const std::lock_guard<std::mutex> lock(moving_); // interrupts wait
+  beginExchange(path_, names, removed);
   is_moved_ = true;
-  int problem = 0;
-  for (const auto& [from, to] : moves)
-    if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)
-      problem = errno;
-  for (const auto& file : problem == 0 ? old : std::vector<std::string>())
-    unlink(file.c_str());
-  for (const auto& folder : emptied)
-    rmdir(folder.c_str());
-  if (problem != 0)
-    refuse(path_, std::strerror(problem));
+  finishExchange(path_);
 }
 
 } // namespace pcl::sedr::tools

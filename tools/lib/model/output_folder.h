@@ -12,9 +12,9 @@ namespace pcl::sedr::tools {
 
 /** @brief A result folder whose files are exchanged as a set: they are written into a
  * hidden folder within it and moved at the end, while interrupts wait. An interrupted
- * run removes the hidden folder and says so; the next run removes what a run that was
- * killed has left of it. Only one run at a time; a second one is refused. Throws
- * ToolError if the folder cannot be written. */
+ * run removes the hidden folder and says so; what a run that was killed has left of it
+ * is removed by the next run or, if the exchange had begun, moved. Only one run at a
+ * time; a second one is refused. Throws ToolError if the folder cannot be written. */
 class OutputFolder {
 public:
   /** @param path may be missing, including parent folders; removed again if nothing is
@@ -45,7 +45,7 @@ private:
   void startAwaiting(const sigset_t& awaited);
   void awaitInterrupt(sigset_t awaited);
   bool isInput(const std::filesystem::path& file) const;
-  void keepEdited(const std::string& name) const;
+  void removeHidden() const;
 
   std::filesystem::path path_;
   std::filesystem::path part_; ///< the hidden folder
@@ -53,8 +53,8 @@ private:
   std::vector<std::filesystem::path> missing_; ///< folders created, innermost first
   int lock_ = -1;
   sigset_t blocked_before_{};
-  std::mutex moving_; ///< held while files are moved, or removed
-  bool is_moved_ = false;
+  std::mutex moving_;     ///< held while files are moved, or removed
+  bool is_moved_ = false; ///< or will be by the next program
   std::thread interrupts_;
 };
 
