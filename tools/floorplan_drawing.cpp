@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
@@ -8,11 +9,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
 using namespace pcl::sedr::tools;
+using pcl::sedr::DrawingFormat;
 using pcl::sedr::Floorplan;
+using pcl::sedr::SectionLine;
 
 namespace {
 
@@ -28,6 +32,37 @@ sheetOf(const std::string& output, const Floorplan& plan, std::uint32_t number)
   }
   throw ToolError("there is no storey " + std::to_string(number) +
                   " in the plan; there are: " + known);
+}
+
+/** @brief Reads where a section runs: x,y,x,y, or through rooms or stairs of the plan.
+ */
+SectionLine
+sectionOf(const std::string& text, const Floorplan& plan)
+{
+  if (text == "rooms")
+    return pcl::sedr::sectionThroughRooms(plan);
+  if (text == "stairs") {
+    if (const auto line = pcl::sedr::sectionThroughStairs(plan))
+      return *line;
+    throw ToolError("the plan has no stair whose flights were seen");
+  }
+  SectionLine line;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &line.from.x(), &line.from.y(),
+                  &line.to.x(), &line.to.y(), &rest) != 4 ||
+      !line.from.allFinite() || !line.to.allFinite() || line.from == line.to)
+    throw ToolError("a section is 'rooms', 'stairs' or two different places, x,y,x,y; "
+                    "not '" +
+                    text + "'");
+  return line;
+}
+
+DrawingFormat
+formatOf(const std::string& path)
+{
+  return hasExtension(path, ".svg")   ? DrawingFormat::Svg
+         : hasExtension(path, ".pdf") ? DrawingFormat::Pdf
+                                      : DrawingFormat::Dxf;
 }
 
 /** @brief Names of PaperSize, in its order. */
@@ -50,6 +85,8 @@ main(int argc, char** argv)
   pcl::sedr::DrawingSettings settings;
   std::string paper = "A3";
   std::size_t storey = 0;
+  std::string section;
+  std::uint32_t room = 0;
   Options options("pcl_floorplan_drawing", "Draws a floor plan to scale.");
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting "
@@ -69,6 +106,12 @@ main(int argc, char** argv)
   options.text("drawn-by", settings.drawn_by, "who has drawn it");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
+  options.text("section", section,
+               "draw a section instead: through most \"rooms\", through \"stairs\", or "
+               "x,y,x,y");
+  options.number("elevations", room, "",
+                 "draw the walls of this room instead; 0: the plan",
+                 Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {
     checkDrawingOutput(output);
     const pcl::sedr::PlanDocument file = loadPlan(plan);
@@ -76,6 +119,17 @@ main(int argc, char** argv)
     settings.origin = file.origin;
     settings.max_wall = file.max_wall;
     settings.paper = paperNamed(paper);
+    if (!section.empty()) {
+      writeWhole(output, drawSection(drawn, sectionOf(section, drawn), formatOf(output),
+                                     settings));
+      return Done;
+    }
+    if (room > 0) {
+      if (!findRoom(drawn, room))
+        throw ToolError("there is no room " + std::to_string(room) + " in the plan");
+      writeWhole(output, drawElevations(drawn, room, formatOf(output), settings));
+      return Done;
+    }
     if (storey > 0) {
       saveDrawing(sheetOf(output, drawn, static_cast<std::uint32_t>(storey)), drawn,
                   settings);

@@ -178,6 +178,21 @@ TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
   EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
 }
 
+TEST_F(StoreyDrawings, SectionsAndElevationsAreDrawnInstead)
+{
+  EXPECT_EQ(draw({"--section", "rooms"}).exit_code, 0);
+  EXPECT_NE(bytesOf(in("out.svg")).find("Room 4"), std::string::npos);
+  EXPECT_EQ(draw({"--section", "0,1,9,1.5"}).exit_code, 0);
+  EXPECT_NE(bytesOf(in("out.svg")).find("0.00, 1.00 and 9.00, 1.50"),
+            std::string::npos);
+  EXPECT_EQ(draw({"--elevations", "3"}).exit_code, 0);
+  EXPECT_NE(bytesOf(in("out.svg")).find(">3.1<"), std::string::npos);
+  for (const Strings& wrong :
+       {Strings{"--section", "stairs"}, Strings{"--section", "1,2,1,2"},
+        Strings{"--section", "1,2,3"}, Strings{"--elevations", "9"}})
+    EXPECT_EQ(draw(wrong).exit_code, 1) << wrong[1];
+}
+
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
 {
   const ProgramRun result = draw({"--storey", "3"});

@@ -8,16 +8,20 @@
 
 namespace pcl::sedr {
 
-/** @brief What a drawing of a plan, or of one of its storeys, shows, whatever its
- * format. */
-struct PlanDrawing {
-  Floorplan plan; ///< what is drawn
+/** @brief What a drawing shows, whatever its format. */
+struct Drawing {
   SheetLayout layout;
-  std::vector<PlanWall> walls;
-  std::vector<PlanLine> lines;            ///< metres
-  std::vector<OpeningGap> openings;       ///< metres
-  std::vector<SheetDimension> dimensions; ///< beside the plan, on the sheet
+  std::vector<PlanLoop> outlines; ///< of rooms, metres, as the next two
+  std::vector<PlanLine> lines;
+  std::vector<OpeningGap> openings;
+  std::vector<SheetDimension> dimensions; ///< beside it, on the sheet
   PlanTexts texts;                        ///< on the sheet
+};
+
+/** @brief A drawing of a plan, or of one of its storeys. */
+struct PlanDrawing : Drawing {
+  Floorplan plan; ///< what is drawn
+  std::vector<PlanWall> walls;
 
   /** @param finest detail of ceilings in metres; 0: a millimetre of paper */
   PlanDrawing(const Floorplan& whole, const DrawingSettings& settings, double finest);

@@ -19,16 +19,6 @@ namespace {
 
 constexpr double detail_font = 2.1; ///< of columns and openings
 
-PlanLoop
-circleAbout(const TextSpot& spot)
-{
-  PlanElement circle;
-  circle.centre = spot.place;
-  circle.radius = spot.radius;
-  circle.start = circle.end = spot.place + Eigen::Vector2d(spot.radius, 0);
-  return {{circle}};
-}
-
 /** @brief Returns the text lines of a room: number, area, and the height if its ceiling
  * lies above its floor. */
 std::vector<std::string>
@@ -101,11 +91,13 @@ public:
   {
     TextSpot spot = textSpotIn(room.boundary, room.columns);
     const std::vector<std::string> lines = roomTexts(room);
-    auto box = writeAt(PlanLayer::Room, room, spot, lines, large_font);
+    auto box = writeAt(PlanLayer::Room, room.boundary, spot, lines, large_font);
     if (!box)
-      box = writeAt(PlanLayer::Room, room, spot, {lines[0], lines[1]}, large_font);
+      box = writeAt(PlanLayer::Room, room.boundary, spot, {lines[0], lines[1]},
+                    large_font);
     if (!box)
-      box = writeAt(PlanLayer::Room, room, spot, {std::to_string(room.id)}, large_font);
+      box = writeAt(PlanLayer::Room, room.boundary, spot, {std::to_string(room.id)},
+                    large_font);
     spot.radius =
         box ? ((box->middle - frame_(spot.place)).norm() + box->half_size.norm()) /
                   frame_.scale
@@ -136,14 +128,14 @@ public:
     const double height =
         detail.slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
     const bool has_sign = layer == PlanLayer::Floor && height > 0;
-    writeAt(layer, room, spot, {(has_sign ? "+" : "") + decimalText(height, 2)},
-            small_font);
+    writeAt(layer, room.boundary, spot,
+            {(has_sign ? "+" : "") + decimalText(height, 2)}, small_font);
   }
 
-  /** @brief Writes lines about a place in a room in the largest font that fits there.
+  /** @brief Writes lines about a place in a loop in the largest font that fits there.
    */
   std::optional<TextBox> writeAt(PlanLayer layer,
-                                 const PlanRoom& room,
+                                 const PlanLoop& within,
                                  const TextSpot& spot,
                                  const std::vector<std::string>& lines,
                                  double font)
@@ -161,7 +153,7 @@ public:
           const double up = (k % 2 == 0 ? -step : step) * ((k + 1) / 2);
           const Eigen::Vector2d off(across * half.x(), up * line_height);
           if (off.norm() <= spot.radius * frame_.scale &&
-              room.boundary.contains(frame_.toPlan(place + off)))
+              within.contains(frame_.toPlan(place + off)))
             boxes.push_back({place + off, half, 0});
         }
       const auto box = places_.takeFirst(boxes);
@@ -330,9 +322,9 @@ writeStairs(const Floorplan& plan, TextWriter& writer)
     const std::string way = is_up ? "up" : "down";
     const std::uint32_t other = stair.rooms[is_up ? 1 : 0];
     if (other == 0 ||
-        !writer.writeAt(PlanLayer::Note, *room, spot,
+        !writer.writeAt(PlanLayer::Note, room->boundary, spot,
                         {way + " to room " + std::to_string(other)}, small_font))
-      writer.writeAt(PlanLayer::Note, *room, spot, {way}, small_font);
+      writer.writeAt(PlanLayer::Note, room->boundary, spot, {way}, small_font);
   }
 }
 
@@ -381,6 +373,21 @@ placedTexts(const Floorplan& plan,
       writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
                         std::to_string(room.id) + "." + std::to_string(e + 1),
                         smallest_font);
+  return std::move(writer.found);
+}
+
+PlanTexts
+placedLabels(const std::vector<DrawingLabel>& labels,
+             const std::vector<PlanLine>& lines,
+             const PlanFrame& frame,
+             TextPlaces& places)
+{
+  TextWriter writer(frame, places);
+  for (const DrawingLabel& label : labels)
+    writer.writeAt(label.layer, label.within, textSpotIn(label.within, label.off),
+                   label.lines, large_font);
+  for (const PlanLine& line : lines)
+    writer.writeAlong(PlanLayer::Height, line.element, line.note);
   return std::move(writer.found);
 }
 

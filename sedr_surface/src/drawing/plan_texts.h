@@ -5,6 +5,7 @@
 #include "dimension_rows.h"
 #include "plan_lines.h"
 
+#include <string>
 #include <vector>
 
 namespace pcl::sedr {
@@ -32,5 +33,19 @@ PlanTexts placedTexts(const Floorplan& plan,
                       const std::vector<OpeningGap>& openings,
                       const PlanFrame& frame,
                       TextPlaces& places);
+
+/** @brief Lines of text within a loop. */
+struct DrawingLabel {
+  PlanLayer layer = PlanLayer::Room;
+  PlanLoop within;
+  std::vector<std::string> lines;
+  std::vector<PlanLoop> off{}; ///< loops that it keeps off
+};
+
+/** @brief Places labels, then the notes of lines along them. */
+PlanTexts placedLabels(const std::vector<DrawingLabel>& labels,
+                       const std::vector<PlanLine>& lines,
+                       const PlanFrame& frame,
+                       TextPlaces& places);
 
 } // namespace pcl::sedr

@@ -101,20 +101,19 @@ mainDirection(const Floorplan& plan)
 /** @brief Finds the scale and the paper of a plan. */
 class LayoutFinder {
 public:
-  LayoutFinder(const Floorplan& plan, const DrawingSettings& settings)
+  /** @param bounds of what is drawn, turned, metres
+   * @param space around it, of dimensions: see spaceOf() */
+  LayoutFinder(double turn,
+               const Eigen::AlignedBox2d& bounds,
+               const Eigen::AlignedBox2d& space,
+               const DrawingSettings& settings)
       : settings_(settings)
+      , bounds_(bounds)
+      , space_(space)
   {
-    layout_.frame.turn = -mainDirection(plan);
-    bounds_ = boundsOf(plan, findWalls(plan, {settings.max_wall}), layout_.frame);
+    layout_.frame.turn = turn;
     if (bounds_.isEmpty() || !bounds_.sizes().allFinite())
       bounds_ = Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
-    space_ = spaceOf({});
-    for (const PlanStorey& storey : storeysOf(plan)) {
-      const Eigen::AlignedBox2d of_rows = spaceOf(
-          rowsAround(partOf(plan, storey), layout_.frame.turn, settings_.max_wall));
-      space_.min() = space_.min().cwiseMax(of_rows.min()).eval();
-      space_.max() = space_.max().cwiseMax(of_rows.max()).eval();
-    }
   }
 
   SheetLayout find()
@@ -173,8 +172,8 @@ private:
   }
 
   const DrawingSettings& settings_;
-  Eigen::AlignedBox2d bounds_; ///< of all storeys, in the frame of the walls, metres
-  Eigen::AlignedBox2d space_;  ///< around it, of dimensions: see spaceOf()
+  Eigen::AlignedBox2d bounds_;
+  Eigen::AlignedBox2d space_;
   SheetLayout layout_;
 };
 
@@ -228,7 +227,26 @@ boundsOf(const Floorplan& plan,
 SheetLayout
 layoutOf(const Floorplan& plan, const DrawingSettings& settings)
 {
-  return LayoutFinder(plan, settings).find();
+  PlanFrame frame;
+  frame.turn = -mainDirection(plan);
+  Eigen::AlignedBox2d space = spaceOf({});
+  for (const PlanStorey& storey : storeysOf(plan)) {
+    const Eigen::AlignedBox2d of_rows =
+        spaceOf(rowsAround(partOf(plan, storey), frame.turn, settings.max_wall));
+    space.min() = space.min().cwiseMax(of_rows.min()).eval();
+    space.max() = space.max().cwiseMax(of_rows.max()).eval();
+  }
+  const Eigen::AlignedBox2d bounds =
+      boundsOf(plan, findWalls(plan, {settings.max_wall}), frame);
+  return LayoutFinder(frame.turn, bounds, space, settings).find();
+}
+
+SheetLayout
+layoutOf(const Eigen::AlignedBox2d& bounds,
+         const Eigen::AlignedBox2d& space,
+         const DrawingSettings& settings)
+{
+  return LayoutFinder(0, bounds, space, settings).find();
 }
 
 } // namespace pcl::sedr

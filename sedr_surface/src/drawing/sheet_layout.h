@@ -58,4 +58,11 @@ struct SheetLayout {
  * smaller paper. */
 SheetLayout layoutOf(const Floorplan& plan, const DrawingSettings& settings);
 
+/** @brief Chooses scale and paper for another drawing.
+ * @param bounds of it, metres
+ * @param space around it, of dimensions: see spaceOf() */
+SheetLayout layoutOf(const Eigen::AlignedBox2d& bounds,
+                     const Eigen::AlignedBox2d& space,
+                     const DrawingSettings& settings);
+
 } // namespace pcl::sedr

@@ -46,4 +46,14 @@ textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
   return best;
 }
 
+PlanLoop
+circleAbout(const TextSpot& spot)
+{
+  PlanElement circle;
+  circle.centre = spot.place;
+  circle.radius = spot.radius;
+  circle.start = circle.end = spot.place + Eigen::Vector2d(spot.radius, 0);
+  return {{circle}};
+}
+
 } // namespace pcl::sedr

@@ -17,4 +17,7 @@ struct TextSpot {
 /** @brief Returns the place for text in a loop and outside of all obstacles. */
 TextSpot textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles);
 
+/** @brief Returns the circle around a spot. */
+PlanLoop circleAbout(const TextSpot& spot);
+
 } // namespace pcl::sedr

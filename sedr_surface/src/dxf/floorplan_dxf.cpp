@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../drawing/plan_drawing.h"
+#include "floorplan_dxf.h"
 #include "../drawing/plan_layers.h"
 #include "dxf_file.h"
 #include "sedr_filters/src/base/number_text.h"
@@ -32,12 +32,12 @@ dxfLayers()
 /** @brief Writes a drawing as DXF, in the coordinates of the plan. */
 class DxfWriter {
 public:
-  explicit DxfWriter(const PlanDrawing& drawing)
+  explicit DxfWriter(const Drawing& drawing)
       : frame_(drawing.layout.frame)
       , file_(dxfLayers(), heightOf(small_font))
   {
-    for (const PlanRoom& room : drawing.plan.rooms)
-      model_.outline(area_layer, room.boundary);
+    for (const PlanLoop& outline : drawing.outlines)
+      model_.outline(area_layer, outline);
     for (const PlanLine& line : drawing.lines)
       for (const PlanElement& part : isWall(line.layer)
                                          ? cutAtGaps(line.element, drawing.openings)
@@ -149,6 +149,17 @@ private:
 };
 
 } // namespace
+
+std::string
+dxfOf(const Drawing& drawing)
+{
+  Eigen::AlignedBox2d bounds;
+  for (const PlanLoop& outline : drawing.outlines)
+    bounds.extend(boundsOf(outline));
+  if (bounds.isEmpty())
+    bounds.extend(Eigen::Vector2d(0, 0));
+  return DxfWriter(drawing).text(bounds, {});
+}
 
 std::string
 floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)

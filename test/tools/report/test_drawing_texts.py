@@ -143,6 +143,18 @@ class DrawingTexts(unittest.TestCase):
                 self.assertGreater(len(boxes), 5, plan + " " + name)
                 self.assertEqual(collisions(boxes), [], plan + " " + name)
 
+    def expect_free_cuts(self, plan):
+        """On a section and elevations of a plan."""
+        for option, value in (("--section", "rooms"), ("--elevations", "1")):
+            self.run_tool(DRAWING, plan, self.path("cut.svg"), option, value)
+            size, boxes = boxes_of(self.path("cut.svg"))
+            what = "%s %s" % (plan, option)
+            self.assertGreater(len(boxes), 10, what)
+            self.assertEqual(collisions(boxes), [], what)
+            for box in boxes:
+                for x, y in box.corners():
+                    self.assertTrue(0 < x < size[0] and 0 < y < size[1], "%s %s on paper" % (what, box.text))
+
     def test_scenes(self):
         scenes = re.findall(r"^(\w+)", self.run_tool(SIMULATOR, "--list"), re.M)
         self.assertGreaterEqual(len(scenes), 10)
@@ -153,11 +165,13 @@ class DrawingTexts(unittest.TestCase):
             with open(self.path(scene + ".json"), "w") as file:
                 json.dump(plan, file)
             self.expect_free_texts(self.path(scene + ".json"))
+            self.expect_free_cuts(self.path(scene + ".json"))
 
     def test_a_house_with_roofs(self):
         with open(self.path("house.json"), "w") as file:
             json.dump(house(), file)
         self.expect_free_texts(self.path("house.json"))
+        self.expect_free_cuts(self.path("house.json"))
 
     def test_plans_named_in_the_environment(self):
         for plan in filter(None, os.environ.get("SEDR_PLANS", "").split(":")):

@@ -410,6 +410,21 @@ class Outputs(unittest.TestCase):
         self.assertEqual(len([e for e in blocks["D1"].virtual_entities() if e.dxftype() == "ARC"]), 1, "its swing")
         self.assertIn("2 Schlafzimmer ü €", [t.dxf.text for t in drawing.modelspace().query("TEXT")])
 
+    def test_sections_and_elevations_in_dxf(self):
+        """A cut through hall, cell and niche; the walls of the cell, a platform of 0.3 m along 7 m of them."""
+        try:
+            import ezdxf
+        except ImportError:
+            self.skipTest("python3-ezdxf is not installed")
+        for options, area in ((("--section", "1.5,0,1.5,1"), 4 * HALL_HEIGHT + 3 * CELL_HEIGHT + 0.3 * 1),
+                              (("--elevations", "2"), 16 * CELL_HEIGHT - 7 * 0.3)):
+            self.run_tool(DRAWING, self.plan, self.path("cut.dxf"), *options)
+            drawing = ezdxf.readfile(self.path("cut.dxf"))
+            audit = drawing.audit()
+            self.assertEqual((audit.errors, audit.fixes), ([], []))
+            found = sum(area_of(line) for line in drawing.modelspace().query("LWPOLYLINE"))
+            self.assertAlmostEqual(found, area, 6, options)
+
     def test_pdf(self):
         """The page is that of the SVG, with its texts."""
         self.run_tool(DRAWING, self.plan, self.path("plan.svg"))

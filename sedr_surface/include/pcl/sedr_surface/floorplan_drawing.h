@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace pcl::sedr {
@@ -68,5 +70,38 @@ Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& sett
  * DIMENSION. Text heights are those of the sheet at its scale.
  * @param settings title is not used */
 std::string floorplanToDxf(const Floorplan& plan, const DrawingSettings& settings = {});
+
+enum class DrawingFormat { Svg, Pdf, Dxf };
+
+/** @brief A line in plan that goes on beyond its ends; they must not coincide. */
+struct SectionLine {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::UnitX();
+};
+
+/** @brief Returns the line along a wall through the middle of a room that cuts most
+ * rooms, the longest of these. O(rooms times walls squared). */
+SectionLine sectionThroughRooms(const Floorplan& plan);
+
+/** @brief Returns the line up the first flight of the first stair whose flights were
+ * seen. */
+std::optional<SectionLine> sectionThroughStairs(const Floorplan& plan);
+
+/** @brief Draws a vertical section through a building, seen towards the left of a line:
+ * the cut of the solids of all rooms, exact but for chords of arcs, walls and slabs
+ * between them, openings that it runs through, levels and heights. Slabs of which one
+ * side was seen are drawn 0.2 m thick. */
+std::string drawSection(const Floorplan& plan,
+                        const SectionLine& line,
+                        DrawingFormat format,
+                        const DrawingSettings& settings = {});
+
+/** @brief Draws the walls of a room as seen from it, unrolled, one beside the other,
+ * with their openings and niches: outlines are those of the solid.
+ * @param room PlanRoom::id; an unknown one gives an empty page */
+std::string drawElevations(const Floorplan& plan,
+                           std::uint32_t room,
+                           DrawingFormat format,
+                           const DrawingSettings& settings = {});
 
 } // namespace pcl::sedr

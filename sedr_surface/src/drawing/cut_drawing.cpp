@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cut_drawing.h"
+
+#include "../dxf/floorplan_dxf.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_segmentation/src/curves/contour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief Joins directed edges, each of which begins where one ends, to loops.
+ * @param next the end of each edge, by its start */
+template <typename Key>
+std::vector<PlanLoop>
+loopsOf(std::multimap<Key, Key> next, const std::map<Key, Eigen::Vector2d>& places)
+{
+  std::vector<PlanLoop> loops;
+  while (!next.empty()) {
+    std::vector<Eigen::Vector2d> corners;
+    for (auto edge = next.begin(); edge != next.end();) {
+      corners.push_back(places.at(edge->first));
+      const Key end = edge->second;
+      next.erase(edge);
+      edge = next.find(end);
+    }
+    constexpr double on_line = 1e-6; // metres; such corners are those of triangles only
+    const std::vector<Eigen::Vector2d> kept = simplified(corners, on_line);
+    if (kept.size() > 2)
+      loops.push_back(loopOf(kept));
+  }
+  return loops;
+}
+
+/** @brief Returns the chain of places along a side, without those that are nearly the
+ * same. */
+DimensionChain
+chainOf(const Eigen::Vector2d& side, const std::set<double>& at, double off)
+{
+  DimensionChain chain{side, {}};
+  for (const double place : at)
+    chain.places.push_back(side.y() != 0 ? Eigen::Vector2d(place, off)
+                                         : Eigen::Vector2d(off, place));
+  dropSmallSteps(chain, min_step);
+  return chain;
+}
+
+} // namespace
+
+bool
+isUpright(const PlanElement& e)
+{
+  constexpr double cosine = 0.1; // 84 degrees
+  return std::abs(e.end.x() - e.start.x()) < cosine * e.length();
+}
+
+PlanLoop
+rectangleOf(double left, double right, double bottom, double top)
+{
+  return loopOf({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+}
+
+void
+complete(CutDrawing& drawing, const DrawingSettings& settings)
+{
+  constexpr double min_face = 0.5; // metres; less has no dimension
+  std::set<double> along;
+  std::set<double> heights;
+  Eigen::AlignedBox2d rooms;
+  for (const PlanLoop& outline : drawing.outlines) {
+    rooms.extend(sedr::boundsOf(outline));
+    for (const PlanElement& e : outline.elements) {
+      if (e.length() < min_face)
+        continue;
+      if (isUpright(e))
+        along.insert({e.start.x(), e.end.x()});
+      else if (std::abs(e.end.y() - e.start.y()) < 0.01)
+        heights.insert(e.start.y());
+    }
+  }
+  std::vector<DimensionRow> rows;
+  const auto addRow = [&](const DimensionChain& chain, double off) {
+    if (chain.places.size() > 1)
+      rows.push_back({chain, off});
+  };
+  constexpr double first = 9; // millimetres from the drawing, and to the next row
+  constexpr double second = 17;
+  const Eigen::Vector2d low = rooms.min();
+  addRow(chainOf({0, -1}, along, low.y()), first);
+  addRow(chainOf({0, -1}, {low.x(), rooms.max().x()}, low.y()), second);
+  addRow(chainOf({-1, 0}, heights, low.x()), first);
+  addRow(chainOf({-1, 0}, {low.y(), rooms.max().y()}, low.x()), second);
+  Eigen::AlignedBox2d all = rooms;
+  for (const PlanLoop& body : drawing.bodies)
+    all.extend(sedr::boundsOf(body));
+  drawing.layout = layoutOf(all, spaceOf(rows), settings);
+  const PlanFrame& frame = drawing.layout.frame;
+  TextPlaces places(drawing.layout.size);
+  drawing.dimensions =
+      placedRows(rows, {frame(all.min()), frame(all.max())}, frame, places);
+  for (const PlanLine& line : drawing.lines)
+    places.keepOff(frame(line.element));
+  drawing.texts = placedLabels(drawing.labels, drawing.lines, frame, places);
+}
+
+std::string
+written(const CutDrawing& drawing,
+        DrawingFormat format,
+        const DrawingSettings& settings)
+{
+  if (format == DrawingFormat::Dxf)
+    return dxfOf(drawing);
+  const Sheet sheet = cutSheet(drawing, settings);
+  return format == DrawingFormat::Svg ? sheetSvg(sheet) : sheetPdf(sheet);
+}
+
+std::vector<PlanLoop>
+cutOf(const TriangleMesh& mesh, const SectionLine& line)
+{
+  using Edge = std::pair<std::uint32_t, std::uint32_t>; // of the mesh
+  const Eigen::Vector2d way = (line.to - line.from).normalized();
+  const Eigen::Vector2d across(-way.y(), way.x());
+  std::vector<double> side;
+  for (const Eigen::Vector3d& p : mesh.vertices)
+    side.push_back(across.dot(p.head<2>() - line.from));
+  std::multimap<Edge, Edge> next;
+  std::map<Edge, Eigen::Vector2d> places;
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<Edge, 2> cut; // where the triangle is entered and left
+    int cuts = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangle[k];
+      const std::uint32_t b = triangle[(k + 1) % 3];
+      if ((side[a] >= 0) == (side[b] >= 0))
+        continue;
+      const Edge edge = std::minmax(a, b);
+      const Eigen::Vector3d& p = mesh.vertices[edge.first];
+      const Eigen::Vector3d& q = mesh.vertices[edge.second];
+      const double share = side[edge.first] / (side[edge.first] - side[edge.second]);
+      const Eigen::Vector3d at = p + share * (q - p);
+      places[edge] = {way.dot(at.head<2>() - line.from), at.z()};
+      cut[side[a] >= 0 ? 1 : 0] = edge;
+      ++cuts;
+    }
+    if (cuts == 2)
+      next.insert({cut[0], cut[1]});
+  }
+  return loopsOf(std::move(next), places);
+}
+
+std::vector<PlanLoop>
+outlinesOf(const TriangleMesh& mesh,
+           const std::vector<std::size_t>& triangles,
+           const std::function<Eigen::Vector2d(const Eigen::Vector3d&)>& place)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const std::size_t t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      ++edges[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}];
+  std::multimap<std::uint32_t, std::uint32_t> next;
+  std::map<std::uint32_t, Eigen::Vector2d> places;
+  for (const auto& [edge, count] : edges)
+    if (edges.find({edge.second, edge.first}) == edges.end()) {
+      next.insert(edge);
+      places[edge.first] = place(mesh.vertices[edge.first]);
+    }
+  return loopsOf(std::move(next), places);
+}
+
+std::vector<std::pair<double, double>>
+rangesIn(const PlanLoop& loop, const SectionLine& line)
+{
+  constexpr double chord = 0.001; // metres
+  const Eigen::Vector2d way = (line.to - line.from).normalized();
+  const Eigen::Vector2d across(-way.y(), way.x());
+  const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
+  std::vector<double> crossings;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Eigen::Vector2d a = corners[k] - line.from;
+    const Eigen::Vector2d b = corners[(k + 1) % corners.size()] - line.from;
+    const double from = across.dot(a);
+    const double to = across.dot(b);
+    if ((from >= 0) != (to >= 0))
+      crossings.push_back(way.dot(a + from / (from - to) * (b - a)));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<std::pair<double, double>> ranges;
+  for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+    ranges.emplace_back(crossings[k], crossings[k + 1]);
+  return ranges;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cut_drawing.h"
+#include "sedr_filters/src/base/number_text.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/room_solid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief The unrolled walls of a room, one beside the other. */
+class Elevations {
+public:
+  Elevations(const Floorplan& plan, const PlanRoom& room)
+      : plan_(plan)
+      , room_(room)
+  {
+    extrudeRoom(room, {}, solid_, elements_);
+    double left = 0;
+    for (std::size_t e = room.boundary.elements.size(); e-- > 0;) { // to the right
+      addWall(e, left);
+      left += room.boundary.elements[e].length();
+    }
+  }
+
+  CutDrawing drawing{};
+
+private:
+  void addWall(std::size_t e, double left)
+  {
+    const PlanElement& wall = room_.boundary.elements[e];
+    std::vector<PlanLoop> openings;
+    for (const PlanOpening& opening : plan_.openings)
+      if (std::any_of(opening.walls.begin(), opening.walls.end(),
+                      [&](const OpeningWall& in) {
+                        return in.room == room_.id && in.element == e;
+                      }))
+        openings.push_back(
+            addOpening(opening, left + wall.length() - wall.project(opening.start),
+                       left + wall.length() - wall.project(opening.end)));
+    for (const PlanLoop& loop : unrolled(e, left)) {
+      const bool is_niche = loop.area() > 0; // triangles face out of the room
+      for (const PlanElement& part : loop.elements)
+        drawing.lines.push_back(
+            {part, is_niche ? PlanLayer::Niche : PlanLayer::Wall, room_.id});
+      if (is_niche)
+        continue;
+      drawing.outlines.push_back(reversed(loop));
+      drawing.labels.push_back(
+          {PlanLayer::Number,
+           drawing.outlines.back(),
+           {std::to_string(room_.id) + "." + std::to_string(e + 1)},
+           openings});
+    }
+  }
+
+  /** @brief Returns the outlines of a wall's triangles; of a round one in two halves.
+   */
+  std::vector<PlanLoop> unrolled(std::size_t e, double left) const
+  {
+    const PlanElement& wall = room_.boundary.elements[e];
+    const double length = wall.length();
+    const bool is_round = wall.isArc() && std::abs(wall.sweep()) > 2 * M_PI - 1e-6;
+    const std::string name =
+        "room_" + std::to_string(room_.id) + "_wall_" + std::to_string(e + 1);
+    std::array<std::vector<std::size_t>, 2> halves;
+    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
+      if (const std::uint32_t of = solid_.elements[t];
+          of > 0 && elements_[of - 1].name == name) {
+        const Eigen::Vector3d middle =
+            (solid_.corner(t, 0) + solid_.corner(t, 1) + solid_.corner(t, 2)) / 3;
+        const bool is_second = is_round && alongOf(wall, middle.head<2>()) > length / 2;
+        halves[is_second ? 1 : 0].push_back(t);
+      }
+    std::vector<PlanLoop> loops;
+    for (const std::size_t half : {0U, 1U})
+      for (const PlanLoop& loop :
+           outlinesOf(solid_, halves[half], [&](const Eigen::Vector3d& p) {
+             // Seen from the room, an element that runs counter-clockwise runs to the
+             // left. A round one ends where it starts.
+             double along = alongOf(wall, p.head<2>());
+             if (is_round &&
+                 std::abs(along - length * (half == 0 ? 0 : 1)) > 0.75 * length)
+               along += half == 0 ? -length : length;
+             return Eigen::Vector2d(left + length - along, p.z());
+           }))
+        loops.push_back(loop);
+    return loops;
+  }
+
+  /** @brief Returns the distance from the start of an element, chords of an arc too. */
+  static double alongOf(const PlanElement& wall, const Eigen::Vector2d& p)
+  {
+    return wall.isArc() ? wall.project(p)
+                        : (p - wall.start).dot((wall.end - wall.start).normalized());
+  }
+
+  /** @return its outline */
+  PlanLoop addOpening(const PlanOpening& opening, double a, double b)
+  {
+    const auto [left, right] = std::minmax(a, b);
+    const PlanLoop outline = rectangleOf(left, right, opening.bottom, opening.top);
+    const PlanLayer layer =
+        opening.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
+    for (const PlanElement& part : outline.elements)
+      drawing.lines.push_back({part, layer, room_.id});
+    drawing.labels.push_back(
+        {PlanLayer::Note,
+         outline,
+         {markOf(opening),
+          decimalText(opening.width(), 2) + " x " + decimalText(opening.height(), 2)}});
+    return outline;
+  }
+
+  const Floorplan& plan_;
+  const PlanRoom& room_;
+  TriangleMesh solid_;
+  std::vector<SolidElement> elements_;
+};
+
+CutDrawing
+elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& settings)
+{
+  const PlanRoom* const room = findRoom(plan, id);
+  if (!room)
+    return {};
+  CutDrawing drawing = std::move(Elevations(plan, *room).drawing);
+  drawing.title = {
+      "Interior elevations",
+      "Room",
+      std::to_string(id) + (room->name.empty() ? "" : " " + room->name),
+      "Walls",
+      std::to_string(room->boundary.elements.size()),
+      "Dimensions in metres. Walls as seen from the room, unrolled, numbered "
+      "as on the plan. Openings and niches in their outlines.",
+      false};
+  complete(drawing, settings);
+  return drawing;
+}
+
+} // namespace
+
+std::string
+drawElevations(const Floorplan& plan,
+               std::uint32_t room,
+               DrawingFormat format,
+               const DrawingSettings& settings)
+{
+  Floorplan numbered = plan;
+  numberOpenings(numbered);
+  return written(elevationsOf(numbered, room, settings), format, settings);
+}
+
+} // namespace pcl::sedr

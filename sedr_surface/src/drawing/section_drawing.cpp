@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../walls/wall_band.h"
+#include "cut_drawing.h"
+#include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
+#include "text_spot.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/room_solid.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::sedr {
+namespace {
+
+constexpr double assumed_slab = 0.2; ///< thickness where one side was seen, metres
+constexpr double max_slab = 1;       ///< more between two rooms is no slab
+
+/** @brief A room's solid, and where it is cut. */
+struct CutRoom {
+  const PlanRoom* room = nullptr;
+  std::vector<PlanLoop> loops;
+};
+
+/** @brief Returns the gap between a loop and the nearest one above it over much of its
+ * breadth; the assumed thickness if there is none near. */
+double
+slabAbove(const PlanLoop& loop, const std::vector<CutRoom>& rooms, double sign)
+{
+  const Eigen::AlignedBox2d box = boundsOf(loop);
+  double nearest = max_slab;
+  for (const CutRoom& other : rooms)
+    for (const PlanLoop& o : other.loops) {
+      const Eigen::AlignedBox2d b = boundsOf(o);
+      const double gap =
+          sign > 0 ? b.min().y() - box.max().y() : box.min().y() - b.max().y();
+      const double common =
+          std::min(b.max().x(), box.max().x()) - std::max(b.min().x(), box.min().x());
+      if (gap > 0 && common > 0.25 * box.sizes().x())
+        nearest = std::min(nearest, gap);
+    }
+  return nearest < max_slab ? nearest : assumed_slab;
+}
+
+PlanLoop
+shifted(PlanLoop loop, double up)
+{
+  for (PlanElement& e : loop.elements)
+    for (Eigen::Vector2d* p : {&e.start, &e.end})
+      p->y() += up;
+  return loop;
+}
+
+/** @brief Adds what hangs down into a cut room, such as a beam, up to the ceiling on
+ * both sides of it. */
+void
+addBeams(const PlanLoop& loop, std::vector<PlanLoop>& bodies)
+{
+  const std::vector<PlanElement>& all = loop.elements;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const PlanElement& down = all[(k + all.size() - 1) % all.size()];
+    const PlanElement& up = all[(k + 1) % all.size()];
+    const double top = std::min(down.start.y(), up.end.y());
+    if (isUpright(down) && isUpright(up) && all[k].end.x() < all[k].start.x() &&
+        top > all[k].start.y())
+      bodies.push_back(
+          rectangleOf(all[k].end.x(), all[k].start.x(), all[k].start.y(), top));
+  }
+}
+
+/** @brief Adds the walls that a section cuts, from slab to slab. */
+void
+addWalls(const Floorplan& plan,
+         const std::vector<PlanWall>& walls,
+         const SectionLine& line,
+         std::vector<PlanLoop>& bodies)
+{
+  for (const PlanWall& wall : walls) {
+    const PlanElement& face = elementOf(plan, wall.face);
+    const PlanRoom& room = plan.rooms[wall.face.room];
+    for (const auto& [from, to] : rangesIn(bandOf(plan, wall).boundary, line)) {
+      const Eigen::Vector2d middle =
+          line.from + (from + to) / 2 * (line.to - line.from).normalized();
+      constexpr double beside = 0.02; // metres
+      const auto [at, inward] = faceAt(face, face.project(middle));
+      const Eigen::Vector2d inside = at + beside * inward;
+      bodies.push_back(rectangleOf(from, to, room.floorAt(inside) - assumed_slab,
+                                   room.ceilingAt(inside) + assumed_slab));
+    }
+  }
+}
+
+/** @brief Adds the openings that a section runs through, as gaps upright between the
+ * faces of their walls. */
+void
+addOpenings(const Floorplan& plan,
+            const std::vector<PlanWall>& walls,
+            const SectionLine& line,
+            std::vector<OpeningGap>& gaps)
+{
+  const std::vector<OpeningGap> in_plan = openingGaps(plan, walls);
+  for (std::size_t k = 0; k < in_plan.size(); ++k) {
+    const auto& c = in_plan[k].corners;
+    const double bottom = plan.openings[k].bottom;
+    const double top = plan.openings[k].top;
+    for (const auto& [from, to] : rangesIn(loopOf({c[0], c[3], c[2], c[1]}), line)) {
+      OpeningGap gap = in_plan[k];
+      gap.leaf.clear();
+      gap.corners = {{{from, bottom}, {from, top}, {to, top}, {to, bottom}}};
+      gaps.push_back(gap);
+    }
+  }
+}
+
+CutDrawing
+sectionOf(const Floorplan& plan,
+          const SectionLine& line,
+          const DrawingSettings& settings)
+{
+  CutDrawing drawing;
+  const std::vector<PlanWall> walls = findWalls(plan, {settings.max_wall});
+  std::vector<CutRoom> rooms;
+  for (const PlanRoom& room : plan.rooms) {
+    TriangleMesh solid;
+    std::vector<SolidElement> elements;
+    extrudeRoom(room, {}, solid, elements);
+    rooms.push_back({&room, cutOf(solid, line)});
+  }
+  addWalls(plan, walls, line, drawing.bodies);
+  addOpenings(plan, walls, line, drawing.openings);
+  const double zero = plan.rooms.empty() ? 0 : storeysOf(plan)[0].floor;
+  for (const CutRoom& cut : rooms)
+    for (const PlanLoop& loop : cut.loops) {
+      for (const double sign : {1.0, -1.0})
+        drawing.bodies.push_back(shifted(loop, sign * slabAbove(loop, rooms, sign)));
+      addBeams(loop, drawing.bodies);
+      drawing.outlines.push_back(loop);
+      const double floor = boundsOf(loop).min().y();
+      for (const PlanElement& e : loop.elements)
+        for (const PlanElement& part : cutAtGaps(e, drawing.openings)) {
+          const bool is_floor = !isUpright(part) && part.start.y() - floor < 0.01 &&
+                                part.end.y() - floor < 0.01 && part.length() > 0.5;
+          const double level = floor - zero;
+          drawing.lines.push_back(
+              {part, PlanLayer::Wall, cut.room->id,
+               is_floor ? (level < 0 ? "" : "+") + decimalText(level, 2) : ""});
+        }
+      const Eigen::Vector2d spot = textSpotIn(loop, {}).place;
+      const Eigen::Vector2d at =
+          line.from + spot.x() * (line.to - line.from).normalized();
+      drawing.labels.push_back(
+          {PlanLayer::Room,
+           loop,
+           {cut.room->name.empty()
+                ? "Room " + std::to_string(cut.room->id)
+                : std::to_string(cut.room->id) + " " + cut.room->name,
+            "h " + decimalText(cut.room->ceilingAt(at) - cut.room->floorAt(at), 2) +
+                " m"}});
+    }
+  const auto place = [](const Eigen::Vector2d& p) {
+    return decimalText(p.x(), 2) + ", " + decimalText(p.y(), 2);
+  };
+  drawing.title = {"Section",
+                   "Section through",
+                   place(line.from) + " and " + place(line.to),
+                   "Rooms cut",
+                   std::to_string(std::count_if(
+                       rooms.begin(), rooms.end(),
+                       [](const CutRoom& cut) { return !cut.loops.empty(); })),
+                   "Dimensions in metres, from face to face. Levels above the lowest "
+                   "floor. Slabs and roofs of which one side was seen: 0.20 m assumed.",
+                   false};
+  complete(drawing, settings);
+  return drawing;
+}
+
+} // namespace
+
+SectionLine
+sectionThroughRooms(const Floorplan& plan)
+{
+  SectionLine best;
+  std::pair<std::size_t, double> most{0, 0};
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& e : room.boundary.elements) {
+      if (e.isArc() || e.length() < 1)
+        continue;
+      const Eigen::Vector2d at = textSpotIn(room.boundary, room.columns).place;
+      const SectionLine line{at, at + (e.end - e.start).normalized()};
+      std::pair<std::size_t, double> cut{0, 0}; // rooms, metres
+      for (const PlanRoom& other : plan.rooms) {
+        const auto ranges = rangesIn(other.boundary, line);
+        cut.first += ranges.empty() ? 0 : 1;
+        for (const auto& [from, to] : ranges)
+          cut.second += to - from;
+      }
+      constexpr double rounding = 1e-6; // metres
+      if (cut.first > most.first ||
+          (cut.first == most.first && cut.second > most.second + rounding)) {
+        most = cut;
+        best = line;
+      }
+    }
+  return best;
+}
+
+std::optional<SectionLine>
+sectionThroughStairs(const Floorplan& plan)
+{
+  for (const PlanStair& stair : plan.stairs)
+    if (!stair.flights.empty() && stair.flights.front().steps() > 1) {
+      const PlanFlight& flight = stair.flights.front();
+      return SectionLine{flight.middle(0), flight.middle(flight.steps() - 1)};
+    }
+  return std::nullopt;
+}
+
+std::string
+drawSection(const Floorplan& plan,
+            const SectionLine& line,
+            DrawingFormat format,
+            const DrawingSettings& settings)
+{
+  Floorplan numbered = plan;
+  numberOpenings(numbered);
+  return written(sectionOf(numbered, line, settings), format, settings);
+}
+
+} // namespace pcl::sedr

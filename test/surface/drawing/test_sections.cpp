@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drawn_plans.h"
+
+#include "sedr_surface/src/drawing/cut_drawing.h"
+#include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/room_solid.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** The area in which a line cuts the solid of a room. */
+double
+cutArea(const PlanRoom& room, const SectionLine& line)
+{
+  TriangleMesh solid;
+  std::vector<SolidElement> elements;
+  EXPECT_TRUE(extrudeRoom(room, {}, solid, elements).closed);
+  double area = 0;
+  for (const PlanLoop& loop : cutOf(solid, line))
+    area += loop.area();
+  return area;
+}
+
+/** The sum of the areas of the rooms' outlines in a DXF. */
+double
+outlinedArea(const std::string& dxf)
+{
+  double area = 0;
+  std::vector<Eigen::Vector2d> corners;
+  const auto close = [&] {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Eigen::Vector2d& next = corners[(k + 1) % corners.size()];
+      area += (corners[k].x() * next.y() - next.x() * corners[k].y()) / 2;
+    }
+    corners.clear();
+  };
+  bool is_outline = false;
+  std::istringstream lines(dxf);
+  for (std::string code, value;
+       std::getline(lines, code) && std::getline(lines, value);)
+    if (code == "0") {
+      close();
+      is_outline = value == "LWPOLYLINE";
+    }
+    else if (is_outline && code == "10")
+      corners.emplace_back(std::stod(value), 0);
+    else if (is_outline && code == "20")
+      corners.back().y() = std::stod(value);
+  return area;
+}
+
+TEST(Sections, HaveTheAreaOfTheSolid)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.5);
+  const SectionLine across{{2, 0}, {2, 1}};
+  EXPECT_NEAR(cutArea(room, across), 4 * 2.5, 1e-6);
+  EXPECT_NEAR(cutArea(room, {{2, 3}, {2, -7}}), 4 * 2.5, 1e-6) << "seen from behind";
+  EXPECT_NEAR(cutArea(room, {{0, 0}, {1, 1}}), 4 * std::sqrt(2) * 2.5, 1e-6);
+  EXPECT_EQ(cutArea(room, {{6, 0}, {6, 1}}), 0);
+  room.details = {detailOf(rectangle(0, 0, 5, 0.6), 2.2)};
+  room.floor_details = {detailOf(rectangle(0, 3, 5, 4), 0.3)};
+  EXPECT_NEAR(cutArea(room, across), 4 * 2.5 - 0.6 * 0.3 - 0.3, 1e-6);
+  room.columns = {reversed(rectangle(1.8, 1, 2.2, 1.4))};
+  EXPECT_NEAR(cutArea(room, across), 4 * 2.5 - 0.6 * 0.3 - 0.3 - 0.4 * 2.5, 1e-6);
+  PlanRoom attic = roomOf(rectangle(0, 0, 5, 4), 2.5);
+  attic.ceiling = slabAt(1, 0, 0.5); // rises along y
+  EXPECT_NEAR(cutArea(attic, across), 4 * (1 + 3) / 2., 1e-6);
+  const double round = cutArea(roomOf(circle({0, 0}, 2), 2.5), {{1, 0}, {1, 1}});
+  EXPECT_NEAR(round, 2 * std::sqrt(3) * 2.5, 2.5 * 2 * 5e-4 / (std::sqrt(3) / 2))
+      << "chords within half a millimetre";
+}
+
+TEST(Sections, ShowRoomsHeightsAndLevels)
+{
+  const Floorplan plan = twoStoreys();
+  const SectionLine line = sectionThroughRooms(plan);
+  EXPECT_NEAR(line.from.y(), line.to.y(), 1e-9) << "it cuts all four rooms";
+  const std::string svg = drawSection(plan, line, DrawingFormat::Svg);
+  for (const char* text : {">Room 1<", ">Room 4<", ">h 2.50 m<", ">h 2.40 m<",
+                           ">+2.80<", ">0.30<", ">5.20<", ">9.10<"})
+    EXPECT_TRUE(holds(svg, text)) << text;
+  EXPECT_NEAR(outlinedArea(drawSection(plan, line, DrawingFormat::Dxf)),
+              (4 + 5) * (2.5 + 2.4), 1e-3);
+  EXPECT_FALSE(sectionThroughStairs(plan));
+}
+
+TEST(Sections, AnOpeningIsAGapInItsWall)
+{
+  Floorplan plan = twoStoreys();
+  const SectionLine line{{0, 1.5}, {1, 1.5}};
+  const auto length = [&] {
+    const std::string dxf = drawSection(plan, line, DrawingFormat::Dxf);
+    return countOf(dxf, "LINE", "A-WALL");
+  };
+  const std::size_t closed = length();
+  plan.openings = {
+      {OpeningKind::Passage,
+       {1, 2},
+       {{1, 1}, {2, 3}},
+       {4.05, 1},
+       {4.05, 2},
+       0,
+       2.0,
+       0,
+       0.1},
+      {OpeningKind::Window, {1, 0}, {{1, 3}}, {-0.1, 2}, {-0.1, 1}, 0.9, 2.0, 0, 0.2}};
+  EXPECT_EQ(length(), closed + 1) << "the wall above and below the window";
+  EXPECT_EQ(countOf(drawSection(plan, line, DrawingFormat::Dxf), "INSERT", "A-GLAZ"),
+            1u);
+}
+
+TEST(Elevations, HaveTheAreaOfTheWalls)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  EXPECT_NEAR(outlinedArea(drawElevations(plan, 1, DrawingFormat::Dxf)), 18 * 2.5,
+              1e-3);
+  plan.rooms[0].ceiling = slabAt(1, 0, 0.5);
+  EXPECT_NEAR(outlinedArea(drawElevations(plan, 1, DrawingFormat::Dxf)),
+              5 * 1 + 5 * 3 + 2 * 4 * 2, 1e-3);
+  const Floorplan round{{roomOf(circle({0, 0}, 2), 2.5)}};
+  EXPECT_NEAR(outlinedArea(drawElevations(round, 1, DrawingFormat::Dxf)),
+              4 * M_PI * 2.5, 0.01)
+      << "unrolled";
+}
+
+TEST(Elevations, ShowOpeningsWhereTheyAreSeenFromTheRoom)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  plan.openings = {
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {2, -0.1}, {1, -0.1}, 0.9, 2.1, 0, 0.2}};
+  plan.rooms[0].niches = {{rectangle(5, 1, 5.2, 2), slabAt(1), slabAt(2)}};
+  const std::string svg = drawElevations(plan, 1, DrawingFormat::Svg);
+  for (const char* text : {">W1<", ">1.00 x 1.20<", ">1.1<", ">1.4<", ">18.00<"})
+    EXPECT_TRUE(holds(svg, text)) << text;
+  const std::string dxf = drawElevations(plan, 1, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 4u);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-WALL-NICH"), 4u);
+  // The wall at y = 0 is the last one, from 13 to 18 m; x runs to the left on it.
+  EXPECT_TRUE(holds(dxf, "\n10\n16.0000000\n20\n0.9000000\n"));
+  EXPECT_TRUE(holds(dxf, "\n10\n17.0000000\n20\n2.1000000\n"));
+}
+
+} // namespace
