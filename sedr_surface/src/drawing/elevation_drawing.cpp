@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cut_drawing.h"
-#include "section_cut.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/plan_measures.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../walls/wall_band.h"
 #include "cut_drawing.h"
-#include "section_cut.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dxf_file.h"
 
-#include "sedr_filters/src/base/number_text.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +8,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr const char* style_name = "Standard";
-constexpr int invisible = 1; ///< flag of attributes
 
 double
 degreesOf(const Eigen::Vector2d& way)
@@ -53,50 +50,6 @@ header(const Eigen::AlignedBox2d& bounds, const std::string& next_handle)
 }
 
 } // namespace
-
-DxfText&
-DxfText::group(int code, const std::string& value)
-{
-  text_ += std::to_string(code) + "\n" + value + "\n";
-  return *this;
-}
-
-DxfText&
-DxfText::group(int code, const char* value)
-{
-  return group(code, std::string(value));
-}
-
-DxfText&
-DxfText::group(int code, double value)
-{
-  return group(code, decimalText(value, 7));
-}
-
-DxfText&
-DxfText::group(int code, int value)
-{
-  return group(code, std::to_string(value));
-}
-
-DxfText&
-DxfText::place(const Eigen::Vector2d& p, int x_code)
-{
-  return group(x_code, p.x()).group(x_code + 10, p.y()).group(x_code + 20, 0.0);
-}
-
-DxfText&
-DxfText::append(const DxfText& other)
-{
-  text_ += other.text_;
-  return *this;
-}
-
-std::string
-DxfHandles::next()
-{
-  return formatText("%X", ++last_);
-}
 
 DxfText&
 DxfBlock::begin(const char* type, const char* layer, const char* kind)
@@ -162,20 +115,13 @@ DxfBlock::outline(const char* layer, const PlanLoop& loop)
 }
 
 void
-DxfBlock::textAt(const Eigen::Vector2d& at, double height, const std::string& text)
-{
-  entities_.place(at).group(40, height).group(1, lineOf(text));
-}
-
-void
 DxfBlock::label(const char* layer,
                 const Eigen::Vector2d& at,
                 double height,
                 const std::string& text,
                 double degrees)
 {
-  begin("TEXT", layer, "AcDbText");
-  textAt(at, height, text);
+  begin("TEXT", layer, "AcDbText").place(at).group(40, height).group(1, lineOf(text));
   entities_.group(50, degrees).group(72, 1).place(at, 11);
   entities_.group(100, "AcDbText").group(73, 2);
 }
@@ -197,14 +143,26 @@ DxfBlock::dimension(const char* layer,
 }
 
 void
+DxfBlock::attribute(const char* type,
+                    const char* layer,
+                    const Eigen::Vector2d& at,
+                    const Attribute& attribute)
+{
+  const auto& [tag, value] = attribute;
+  constexpr int invisible = 1;
+  const bool is_declared = std::string(type) == "ATTDEF";
+  begin(type, layer, "AcDbText").place(at).group(40, 0.1).group(1, lineOf(value));
+  entities_.group(100, is_declared ? "AcDbAttributeDefinition" : "AcDbAttribute");
+  if (is_declared)
+    entities_.group(3, tag);
+  entities_.group(2, tag).group(70, invisible);
+}
+
+void
 DxfBlock::declare(const char* layer, const std::vector<Attribute>& attributes)
 {
-  for (const auto& [tag, value] : attributes) {
-    begin("ATTDEF", layer, "AcDbText");
-    textAt({0, 0}, 0.1, value);
-    entities_.group(100, "AcDbAttributeDefinition").group(3, tag).group(2, tag);
-    entities_.group(70, invisible);
-  }
+  for (const Attribute& one : attributes)
+    attribute("ATTDEF", layer, {0, 0}, one);
 }
 
 void
@@ -217,11 +175,8 @@ DxfBlock::insert(const char* layer,
   constexpr int attributes_follow = 1;
   begin("INSERT", layer, "AcDbBlockReference").group(66, attributes_follow);
   entities_.group(2, block).place(at).group(50, degrees);
-  for (const auto& [tag, value] : attributes) {
-    begin("ATTRIB", layer, "AcDbText");
-    textAt(at, 0.1, value);
-    entities_.group(100, "AcDbAttribute").group(2, tag).group(70, invisible);
-  }
+  for (const Attribute& one : attributes)
+    attribute("ATTRIB", layer, at, one);
   entities_.group(0, "SEQEND").group(5, handles_.next()).group(330, record_);
   entities_.group(100, "AcDbEntity").group(8, layer);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/base/number_text.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Geometry>
@@ -15,13 +17,26 @@ namespace pcl::sedr {
 /** @brief Text of a DXF file: pairs of a group code and a value, one per line. */
 class DxfText {
 public:
-  DxfText& group(int code, const std::string& value);
-  DxfText& group(int code, const char* value);
-  DxfText& group(int code, double value);
-  DxfText& group(int code, int value);
-  DxfText& place(const Eigen::Vector2d& p, int x_code = 10);
-  DxfText& append(const DxfText& other);
-
+  DxfText& group(int code, const std::string& value)
+  {
+    text_ += std::to_string(code) + "\n" + value + "\n";
+    return *this;
+  }
+  DxfText& group(int code, const char* value)
+  {
+    return group(code, std::string(value));
+  }
+  DxfText& group(int code, double value) { return group(code, decimalText(value, 7)); }
+  DxfText& group(int code, int value) { return group(code, std::to_string(value)); }
+  DxfText& place(const Eigen::Vector2d& p, int x_code = 10)
+  {
+    return group(x_code, p.x()).group(x_code + 10, p.y()).group(x_code + 20, 0.0);
+  }
+  DxfText& append(const DxfText& other)
+  {
+    text_ += other.text_;
+    return *this;
+  }
   const std::string& text() const { return text_; }
 
 private:
@@ -29,17 +44,16 @@ private:
 };
 
 /** @brief Numbers of the objects of a file, hexadecimal. */
-class DxfHandles {
-public:
-  std::string next();
-
-private:
-  unsigned last_ = 0;
+struct DxfHandles {
+  unsigned last = 0;
+  std::string next() { return formatText("%X", ++last); }
 };
 
 /** @brief The entities of a block: of the model, or of one that is inserted. */
 class DxfBlock {
 public:
+  using Attribute = std::pair<std::string, std::string>; ///< its tag and its value
+
   DxfBlock(DxfHandles& handles, std::string name, int flags = 0)
       : handles_(handles)
       , name_(std::move(name))
@@ -76,8 +90,6 @@ public:
   void
   dimension(const char* layer, const Dimension& dimension, const std::string& shown);
 
-  using Attribute = std::pair<std::string, std::string>; ///< its tag and its value
-
   /** @brief Declares invisible attributes that insertions of this block have. */
   void declare(const char* layer, const std::vector<Attribute>& attributes);
 
@@ -97,7 +109,10 @@ public:
 
 private:
   DxfText& begin(const char* type, const char* layer, const char* kind);
-  void textAt(const Eigen::Vector2d& at, double height, const std::string& text);
+  void attribute(const char* type,
+                 const char* layer,
+                 const Eigen::Vector2d& at,
+                 const Attribute& attribute);
 
   DxfHandles& handles_;
   std::string name_;

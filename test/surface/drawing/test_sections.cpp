@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drawn_plans.h"
 
-#include "sedr_surface/src/drawing/section_cut.h"
+#include "sedr_surface/src/drawing/cut_drawing.h"
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/room_solid.h>
 
