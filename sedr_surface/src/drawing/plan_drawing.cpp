@@ -4,9 +4,7 @@
 #include "../walls/wall_band.h"
 #include "cut_drawing.h"
 #include "plan_layers.h"
-#include "plan_painter.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "title_block.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
