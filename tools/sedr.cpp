@@ -3,8 +3,6 @@
 #include "model/model_run.h"
 #include "run_tool.h"
 
-#include <boost/algorithm/string/join.hpp>
-
 #include <memory>
 
 using namespace pcl::sedr::tools;
@@ -33,7 +31,6 @@ main(int argc, char** argv)
                "OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);
-    settings.input = boost::join(settings.inputs, ", ");
     return makeModel(settings, chain, [&] {
       // Everything but the headers is read during thinning.
       const auto scan =

@@ -7,7 +7,6 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include <boost/algorithm/string/join.hpp>
 #include <boost/mpi/environment.hpp>
 
 #include <cstdio>
@@ -25,7 +24,6 @@ makeModelTogether(const Ranks& ranks, ModelSettings& settings, Reconstruction& c
   if (settings.threads == 0)
     settings.threads = fairThreads(ranks);
   apply(settings, chain);
-  settings.input = boost::join(settings.inputs, ", ");
   chain.getChain().poisson.setRoomSharing(sharedRooms(ranks));
   std::unique_ptr<JointScan> scan;
   const auto open = [&] {

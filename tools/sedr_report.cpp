@@ -19,7 +19,7 @@ main(int argc, char** argv)
                   "from anywhere.");
   options.file("OUTPUT_DIR", folder, "folder that pcl_sedr has left");
   options.text("scan", settings.scan,
-               "raw scan, where it is not where report.json says");
+               "raw scan, where it is in no folder above and not in this one");
   options.text("three", settings.three, "folder of three.js, Debian's libjs-three");
   options.number("max-triangles", settings.max_triangles, "triangles",
                  "of the mesh that can be turned on the page", Range::atLeast(100));

@@ -49,9 +49,10 @@ addOptions(Options& options, Settings& s)
   options.number("room", s.state.room, "", "number of the only room shown; 0: all",
                  Range::between(0, 1e6));
   options.flag("no-legend", s.no_legend, "no legend");
-  options.text("raw", s.reading.scan,
-               "raw scan of a folder, where it is not where report.json says; it is "
-               "read as it was then");
+  options.text(
+      "raw", s.reading.scan,
+      "raw scan of a folder, where it is in no folder above and not in this one; it is "
+      "read as it was then");
   options.number("max-points", s.reading.max_points, "points",
                  "of a cloud that are shown, 0 for all", Range::atLeast(0));
   options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");

@@ -260,8 +260,9 @@ writeReportPage(const ModelSettings& settings, const OutputFolder& folder)
                   .parent_path()
                   .filename();
   std::error_code error; // the page cannot show a scan of several files
-  if (std::filesystem::is_regular_file(settings.input, error))
-    page.scan = settings.input;
+  if (settings.inputs.size() == 1 &&
+      std::filesystem::is_regular_file(settings.inputs.front(), error))
+    page.scan = settings.inputs.front();
   try {
     writePage(std::filesystem::path(folder.file("")).string(), page);
   }
@@ -284,7 +285,7 @@ makeModel(const ModelSettings& settings,
   folder.check(outputNames(settings));
   loadFonts();
   RunRecord record;
-  record.path = settings.input;
+  record.inputs = settings.inputs;
   record.reading = settings.scan.settings;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();

@@ -15,7 +15,6 @@ using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
 /** @brief Settings from the command line that no stage holds. */
 struct ModelSettings {
-  std::string input;               ///< name for report.json
   std::vector<std::string> inputs; ///< paths to read
   std::string folder;
   ScanOptions scan; ///< settings for reading, including the unit

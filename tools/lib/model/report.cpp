@@ -11,11 +11,13 @@
 #include <pcl/sedr_filters/wall_shares.h>
 #include <pcl/sedr_surface/plausibility.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -307,12 +309,27 @@ warningsOf(const std::vector<PlanWarning>& list, const Floorplan& plan)
   return warnings;
 }
 
+/** @brief Returns the names of files or folders, not where on the disk they are. */
+std::string
+namesOf(const std::vector<std::string>& paths)
+{
+  std::vector<std::string> names;
+  for (const auto& path : paths)
+    names.push_back((std::filesystem::absolute(path) / "")
+                        .lexically_normal()
+                        .parent_path()
+                        .filename());
+  return boost::join(names, ", ");
+}
+
 /** @brief Returns the scan, and non-default settings of reading it. */
 Json
 inputOf(const RunRecord& run)
 {
   const ScanSettings& reading = run.reading;
-  Json input{{"path", run.path}, {"points", run.points}, {"unit", reading.unit}};
+  Json input{{"path", namesOf(run.inputs)},
+             {"points", run.points},
+             {"unit", reading.unit}};
   if (reading.scan > 0)
     input["scan"] = reading.scan;
   if (reading.skip_broken)

@@ -17,7 +17,7 @@ namespace pcl::sedr::tools {
 
 /** @brief Input and results of a run of pcl_sedr. */
 struct RunRecord {
-  std::string path;
+  std::vector<std::string> inputs; ///< files and folders
   std::size_t points = 0;
   ScanSettings reading;           ///< of the scan
   std::vector<std::string> files; ///< that the run wrote, names in the folder

@@ -80,8 +80,7 @@ ResultFolder::scanPath() const
 {
   const fs::path path = valueAt(report_, "/input/path", std::string());
   std::error_code error;
-  std::vector<fs::path> candidates{path, path_ / path.filename(),
-                                   path_ / ".." / path.filename()};
+  std::vector<fs::path> candidates{path};
   for (fs::path at = fs::absolute(path_, error); at != at.root_path();
        at = at.parent_path())
     candidates.push_back(at / path); // a folder in which the run may have been

@@ -29,8 +29,8 @@ public:
   /** @brief Returns report.json, an empty object if there is none. */
   const Json& report() const { return report_; }
 
-  /** @brief Returns the path of the scan: the one in report.json, relative to the
-   * working directory, the folder or one above it. Empty if it does not exist. */
+  /** @brief Returns the path of the scan that report.json names: in the working
+   * directory, the folder or one above it. Empty if it is in none of them. */
   std::string scanPath() const;
 
   /** @brief Returns how the scan was read: unit, origin and selections from the
