@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace pcl::sedr {
 namespace {
@@ -289,6 +290,11 @@ textWidth(const std::string& utf8, bool is_bold)
 void
 loadFonts()
 {
+  // Fontconfig crashes where memory does not suffice: this tells before.
+  constexpr std::size_t needed = std::size_t{32} << 20; // bytes
+  std::vector<char> room;
+  room.reserve(needed);
+  *static_cast<volatile char*>(room.data()) = 0; // not optimised away
   textWidth("0", false);
   textWidth("0", true);
 }
