@@ -7,8 +7,12 @@
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
+
+#include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr::sim {
@@ -48,6 +52,22 @@ truthInScan(const Scene& scene)
   return facesOf(scene, [](const SceneMesh& all, std::size_t t) {
     return all.surfaces[t] == Surface::Structure || all.surfaces[t] == Surface::Gap;
   });
+}
+
+/** @brief Returns how far a mesh is from the truth, and the truth from it.
+ * @param spacing of the samples, metres */
+inline MeshEvaluationResult
+figuresOf(const TriangleMesh& mesh,
+          std::shared_ptr<const TriangleMesh> truth,
+          double spacing = 0.02)
+{
+  pcl::MeshEvaluation evaluation;
+  evaluation.setSampleSpacing(spacing);
+  evaluation.setInputMesh(std::make_shared<const TriangleMesh>(mesh));
+  evaluation.setTruth(std::move(truth));
+  MeshEvaluationResult figures;
+  EXPECT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+  return figures;
 }
 
 } // namespace pcl::sedr::sim

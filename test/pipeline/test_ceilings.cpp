@@ -3,7 +3,6 @@
 #include "simulator/scene/scenes.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <gtest/gtest.h>
 
@@ -53,12 +52,8 @@ TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
   const auto& reports = chain.getChain().extrusion.getReports();
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_TRUE(reports[0].closed) << reports[0].problem;
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
-      chain.getChain().extrusion.getMesh()));
-  evaluation.setTruth(sim::truthInScan(scene));
-  pcl::sedr::MeshEvaluationResult figures;
-  ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+  const auto figures =
+      sim::figuresOf(chain.getChain().extrusion.getMesh(), sim::truthInScan(scene));
   EXPECT_LE(figures.truth_to_mesh->mean, 0.0005);
   EXPECT_GE(figures.truth_to_mesh->within_1cm, 0.98);
 }

@@ -3,7 +3,6 @@
 #include "simulator/scene/scenes.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <gtest/gtest.h>
 
@@ -50,12 +49,8 @@ TEST_P(LabelledStoreys, haveTheRoomsAndWallsThatWereScanned)
     true_area += room.outline.area();
   EXPECT_EQ(walls, GetParam().walls);
   EXPECT_NEAR(area, true_area, 0.002 * true_area);
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
-      chain.getChain().extrusion.getMesh()));
-  evaluation.setTruth(sim::truthInScan(scene));
-  pcl::sedr::MeshEvaluationResult figures;
-  ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+  const auto figures =
+      sim::figuresOf(chain.getChain().extrusion.getMesh(), sim::truthInScan(scene));
   EXPECT_LE(figures.truth_to_mesh->mean, GetParam().worst_mean);
 }
 

@@ -5,7 +5,6 @@
 
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <gtest/gtest.h>
 
@@ -70,18 +69,16 @@ protected:
    * @param number of the room, from 1 */
   void expectSolid(std::uint32_t number)
   {
-    pcl::MeshEvaluation evaluation;
-    evaluation.setSampleSpacing(0.05);
-    evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
-        chain_.getChain().extrusion.getMesh()));
-    evaluation.setTruth(
-        sim::facesOf(scene_, [number](const sim::SceneMesh& all, std::size_t t) {
-          return all.mesh.rooms[t] == number &&
-                 all.surfaces[t] == sim::Surface::Structure &&
-                 all.mesh.labels[t] != static_cast<std::uint32_t>(sim::Label::Detail);
-        }));
-    pcl::sedr::MeshEvaluationResult figures;
-    ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+    const auto figures = sim::figuresOf(
+        chain_.getChain().extrusion.getMesh(),
+        sim::facesOf(scene_,
+                     [number](const sim::SceneMesh& all, std::size_t t) {
+                       return all.mesh.rooms[t] == number &&
+                              all.surfaces[t] == sim::Surface::Structure &&
+                              all.mesh.labels[t] !=
+                                  static_cast<std::uint32_t>(sim::Label::Detail);
+                     }),
+        0.05);
     EXPECT_LE(figures.truth_to_mesh->mean, 0.0005) << scene_.rooms[number - 1].name;
   }
 

@@ -3,7 +3,6 @@
 #include "simulator/scene/scenes.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <gtest/gtest.h>
 
@@ -82,12 +81,9 @@ protected:
 
   void expectMesh() const
   {
-    pcl::MeshEvaluation evaluation;
-    evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
-        chain_.getChain().poisson.getMesh()));
-    evaluation.setTruth(sim::truthInScan(sim::sceneNamed(GetParam().scene)));
-    pcl::sedr::MeshEvaluationResult figures;
-    ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+    const auto figures =
+        sim::figuresOf(chain_.getChain().poisson.getMesh(),
+                       sim::truthInScan(sim::sceneNamed(GetParam().scene)));
     EXPECT_TRUE(figures.mesh.closed);
     EXPECT_EQ(figures.mesh.topology.components.size(), GetParam().rooms);
     EXPECT_GE(figures.truth_to_mesh->within_5cm, 0.97);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "label_loops.h"
 
+#include "../curves/contour.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -45,14 +47,10 @@ struct Piece {
 double
 areaOf(const std::vector<Piece>& loop, const PlaceNumbers& places)
 {
-  double area = 0;
-  const Eigen::Vector2d& o = places.at(loop.front().from);
-  for (const Piece& piece : loop) {
-    const Eigen::Vector2d a = places.at(piece.from) - o;
-    const Eigen::Vector2d b = places.at(piece.to) - o;
-    area += (a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  return area;
+  std::vector<Eigen::Vector2d> corners;
+  for (const Piece& piece : loop)
+    corners.push_back(places.at(piece.from));
+  return signedArea(corners);
 }
 
 /** @brief Follows pieces to closed loops; where several go on, the first to the left,

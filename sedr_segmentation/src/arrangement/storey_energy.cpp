@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_energy.h"
 
+#include "../curves/contour.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,18 +10,6 @@
 namespace pcl::sedr {
 
 namespace {
-
-double
-areaOf(const PlanCells::Polygon& polygon)
-{
-  double area = 0;
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const Eigen::Vector2d a = polygon[k] - polygon[0];
-    const Eigen::Vector2d b = polygon[k + 1] - polygon[0];
-    area += (a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  return area;
-}
 
 /** @brief Returns the area that a square and a convex polygon share. */
 double
@@ -47,7 +37,7 @@ sharedArea(const Eigen::Vector2d& middle,
     }
     part = std::move(rest);
   }
-  return part.size() > 2 ? areaOf(part) : 0;
+  return part.size() > 2 ? signedArea(part) : 0;
 }
 
 /** @brief Returns the cells of recesses behind lines of walls whose ceiling is lower
@@ -128,8 +118,9 @@ StoreyCosts::addAreas(const StoreyEvidence& evidence,
     cost[0] = energy_.seen * all +
               energy_.taken * std::accumulate(taken.begin(), taken.end(), 0.0);
     for (std::size_t k = 1; k < labels_; ++k)
-      cost[k] = energy_.seen * (all - seen[k]) +
-                energy_.unseen * std::max(0.0, areaOf(polygons[c]) - all - taken[k]);
+      cost[k] =
+          energy_.seen * (all - seen[k]) +
+          energy_.unseen * std::max(0.0, signedArea(polygons[c]) - all - taken[k]);
   }
 }
 

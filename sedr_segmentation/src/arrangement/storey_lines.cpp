@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_lines.h"
 
+#include "../curves/place_sums.h"
 #include "../curves/plan_points.h"
 #include "../faces/wall_lines.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/smooth_counts.h"
 #include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
@@ -38,19 +40,12 @@ surfacesOf(const std::vector<Eigen::Vector2d>& places)
   std::vector<NormalPlace> found;
   const PlanPoints points(places, reach);
   for (const Eigen::Vector2d& p : points.all()) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
-    double n = 0;
-    points.forEachWithin(p, reach, [&](const Eigen::Vector2d& q) {
-      sum += q - p;
-      squares += (q - p) * (q - p).transpose();
-      ++n;
-    });
-    const Eigen::Matrix2d c = squares / n - sum * sum.transpose() / (n * n);
-    const double turn = 0.5 * std::atan2(2 * c(0, 1), c(0, 0) - c(1, 1));
-    const Eigen::Vector2d way(std::cos(turn), std::sin(turn));
-    if (n >= 5 && leftOf(way).dot(c * leftOf(way)) < flat * way.dot(c * way))
-      found.push_back({p, leftOf(way)});
+    PlaceSums sums; // relative to here: far from the origin, squares lose their digits
+    points.forEachWithin(p, reach, [&](const Eigen::Vector2d& q) { sums.add(q - p); });
+    const Eigen::Vector2d normal = sums.normal();
+    const double across = normal.dot(sums.covariance() * normal);
+    if (sums.n >= 5 && across < flat * (sums.covariance().trace() - across))
+      found.push_back({p, normal});
   }
   return found;
 }
@@ -88,23 +83,16 @@ peaksOf(const std::vector<std::pair<double, double>>& places,
         double sigma,
         double least)
 {
-  const double width = sigma / 3; // metres, of a StoreyLine::bin
-  constexpr int reach = 9;        // bins
-  const double first = places.front().first - 2 * reach * width;
-  std::vector<double> counts(
-      static_cast<std::size_t>((places.back().first - first) / width) + 4 * reach, 0);
-  for (const auto& [offset, s] : places) {
-    const double at = (offset - first) / width;
-    const auto middle = static_cast<std::size_t>(at);
-    for (std::size_t k = middle - reach; k <= middle + reach + 1; ++k) {
-      const double d = (static_cast<double>(k) - at) / 3;
-      counts[k] += std::exp(-0.5 * d * d);
-    }
-  }
+  std::vector<double> offsets;
+  for (const auto& [offset, s] : places)
+    offsets.push_back(offset);
+  const SmoothCounts smooth(offsets, sigma);
+  const std::vector<double>& counts = smooth.counts;
   std::vector<std::pair<double, double>> peaks; // height, offset
   for (std::size_t k = 1; k + 1 < counts.size(); ++k)
     if (counts[k] > counts[k - 1] && counts[k] >= counts[k + 1] && counts[k] > least)
-      peaks.emplace_back(-counts[k], first + static_cast<double>(k) * width);
+      peaks.emplace_back(-counts[k],
+                         smooth.first + static_cast<double>(k) * smooth.bin);
   std::sort(peaks.begin(), peaks.end());
   std::vector<double> kept;
   for (const auto& [height, offset] : peaks)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_lines.h"
 
+#include "../curves/place_sums.h"
 #include "../curves/plan_points.h"
 #include "sedr_filters/src/base/densest_window.h"
 #include <pcl/sedr_filters/priors.h>
@@ -12,29 +13,6 @@
 namespace pcl::sedr {
 
 namespace {
-
-/** @brief Sums of places, for their mean and the direction of least variance. */
-struct PlaceSums {
-  double n = 0;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
-
-  void add(const Eigen::Vector2d& p)
-  {
-    ++n;
-    sum += p;
-    squares += p * p.transpose();
-  }
-
-  /** @brief Returns the normal of the line through the places. */
-  Eigen::Vector2d normal() const
-  {
-    const Eigen::Vector2d mean = sum / n;
-    const Eigen::Matrix2d c = squares / n - mean * mean.transpose();
-    const double turn = 0.5 * std::atan2(2 * c(0, 1), c(0, 0) - c(1, 1));
-    return {-std::sin(turn), std::cos(turn)};
-  }
-};
 
 struct Line {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
+#include "report_settings.h"
 #include "wall_maps.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "sedr_surface/src/drawing/text_spot.h"
 
-#include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
 #include <pcl/sedr_surface/plausibility.h>
 
-#include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -44,49 +42,6 @@ roundNumbers(Json& json)
   else if (json.is_structured())
     for (auto& part : json)
       roundNumbers(part);
-}
-
-/** @brief Returns the priors. */
-Json
-priorsOf(const Reconstruction& chain)
-{
-  Json priors = Json::array();
-  for (const Prior& prior : priorTable())
-    priors.push_back({{"name", prior.name},
-                      {"value", chain.getPriors().*prior.member},
-                      {"unit", prior.unit},
-                      {"low", prior.low},
-                      {"high", prior.high},
-                      {"source", prior.source}});
-  return priors;
-}
-
-/** @brief Returns all parameters used, in the order of the stages. */
-Json
-parametersOf(const RunRecord& run, const Reconstruction& chain)
-{
-  const StructureChain& c = chain.getChain();
-  return {{"unit", run.reading.unit},
-          {"z_up", c.trust_up},
-          {"levelled", c.keep_levelled},
-          {"threads", chain.getNumberOfThreads()},
-          {"seed", chain.getSeed()},
-          {"voxel_size", chain.getVoxelSize()},
-          {"plane_tolerance", chain.getPlaneTolerance()},
-          {"maximum_tilt_degrees", pcl::rad2deg(c.plane_detection.getMaximumTilt())},
-          {"grid_size", chain.getGridSize()},
-          {"minimum_room_area", c.room_segmentation.getMinimumArea()},
-          {"headroom", c.room_segmentation.getHeadroom()},
-          {"minimum_enclosure", c.room_segmentation.getMinimumEnclosure()},
-          {"storey_step", c.room_segmentation.getStoreyStep()},
-          {"boundary_angle_degrees", pcl::rad2deg(chain.getBoundaryAngle())},
-          {"boundary_neighbors", chain.getBoundaryNeighbors()},
-          {"wall_distance", c.wall_growing.getDistanceThreshold()},
-          {"boundary_tolerance", chain.getBoundaryTolerance()},
-          {"refinement_distance", c.refinement.getMaximumDistance()},
-          {"repair_grid_size", c.hole_repair.getGridSize()},
-          {"chord_tolerance", c.extrusion.getChordTolerance()},
-          {"tree_depth", c.poisson.getDepth()}};
 }
 
 /** @brief Returns the results from scanner positions, or null. */
@@ -307,36 +262,6 @@ warningsOf(const std::vector<PlanWarning>& list, const Floorplan& plan)
                         {"values", warning.values},
                         {"text", sentenceOf(warning)}});
   return warnings;
-}
-
-/** @brief Returns the names of files or folders, not where on the disk they are. */
-std::string
-namesOf(const std::vector<std::string>& paths)
-{
-  std::vector<std::string> names;
-  for (const auto& path : paths)
-    names.push_back((std::filesystem::absolute(path) / "")
-                        .lexically_normal()
-                        .parent_path()
-                        .filename());
-  return boost::join(names, ", ");
-}
-
-/** @brief Returns the scan, and non-default settings of reading it. */
-Json
-inputOf(const RunRecord& run)
-{
-  const ScanSettings& reading = run.reading;
-  Json input{{"path", namesOf(run.inputs)},
-             {"points", run.points},
-             {"unit", reading.unit}};
-  if (reading.scan > 0)
-    input["scan"] = reading.scan;
-  if (reading.skip_broken)
-    input["skip_broken"] = true;
-  if (!reading.columns.empty())
-    input["columns"] = reading.columns;
-  return input;
 }
 
 } // namespace

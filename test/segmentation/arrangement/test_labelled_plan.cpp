@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans whose outlines are found by one labelling of the storey.
+#include "../plan/two_rooms.h"
+
+#include <vector>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+Floorplan
+labelledPlan(const RoomPoints& points, const PlanEvidence& evidence)
+{
+  Fitting fitting;
+  setEvidence(points, evidence, fitting);
+  fitting.setLabelStoreys(true);
+  Floorplan plan;
+  EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  return plan;
+}
+
+/** Expects one room with the elements and corners of the truth. */
+void
+expectOutline(const RoomPoints& points,
+              const PlanEvidence& evidence,
+              const PlanLoop& truth,
+              double tolerance)
+{
+  const Floorplan plan = labelledPlan(points, evidence);
+  ASSERT_EQ(plan.rooms.size(), 1U);
+  const PlanLoop& loop = plan.rooms[0].boundary;
+  EXPECT_EQ(loop.elements.size(), truth.elements.size());
+  EXPECT_LT(cornerError(loop, truth), tolerance);
+  EXPECT_NEAR(loop.area(), truth.area(), tolerance * truth.length());
+}
+
+/** Expects the outline of points on all of a room. */
+void
+expectOutline(const PlanLoop& truth, double noise, double tolerance)
+{
+  RoomPoints points(0.05, noise);
+  const RoomParts parts = points.room(truth, 0, 2.5);
+  expectOutline(points, evidenceOf(points, parts), truth, tolerance);
+}
+
+TEST(LabelledPlan, CornersAtAnyAngleInTheGrid)
+{
+  const PlanLoop shape = polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}});
+  for (const double degrees : {0, 17, 45, 88})
+    for (const double noise : {0.0, 0.01}) {
+      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+      expectOutline(placed(shape, degrees, {1.013, -7.021}), noise, 0.003 + noise / 2);
+    }
+}
+
+TEST(LabelledPlan, WallsThatAreNotSquare)
+{
+  expectOutline(polygon({{0, 0}, {6, 0}, {6, 2.5}, {4, 4}, {0, 4}}), 0.003, 0.004);
+}
+
+TEST(LabelledPlan, EachRoomHasItsOwnFaceOfAPartition)
+{
+  const TwoRooms scene;
+  const Floorplan plan = labelledPlan(scene.points, scene.evidence);
+  ASSERT_EQ(plan.rooms.size(), 2U);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
+  EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
+}
+
+TEST(LabelledPlan, AWallGoesStraightOnBehindShelvesThatStandOffIt)
+{
+  // Shelves 2.1 m high, 5 cm before the wall, which is seen above and beside them.
+  const PlanLoop truth = rectangle(0.01, 0.01, 5.01, 4.01);
+  RoomPoints points(0.05, 0.003);
+  const auto isHidden = [](const Eigen::Vector3d& p) {
+    return p.y() > 3.97 && p.x() > 1 && p.x() < 3 && p.z() < 2.1;
+  };
+  const RoomParts parts = points.room(
+      roomOf(truth, 2.5), [&](const Eigen::Vector3d& p) { return !isHidden(p); });
+  PlanEvidence evidence = evidenceOf(points, parts);
+  const std::vector<int> shelves = points.wall(segment({1, 3.96}, {3, 3.96}), 0, 2.1);
+  evidence.all = joined(evidence.all, shelves);
+  evidence.walls = joined(evidence.walls, shelves);
+  expectOutline(points, evidence, truth, 0.004);
+}
+
+} // namespace
