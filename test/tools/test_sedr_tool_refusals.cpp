@@ -2,6 +2,8 @@
 #include "option_help.h"
 #include "sedr_tool_runs.h"
 
+#include <pcl/sedr_filters/floorplan_io.h>
+
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -107,16 +109,56 @@ TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
                   p.z *= 0.1f;
                 })),
                 2, "too small");
-  RoomScan turned = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}, {4.13, 5.11, 5, 4.27}});
-  for (auto& p : turned.points)
-    std::swap(p.y, p.z);
-  const ProgramRun doubted = onFile(turned.pcd(false)); // bare walls are like floors
-  EXPECT_EQ(doubted.exit_code, 0) << doubted.err;
-  EXPECT_NE(doubted.err.find("y seems to be up"), std::string::npos) << doubted.err;
-  std::filesystem::remove_all(in("model"));
   RoomScan few = scan;
   few.points.resize(900);
   expectFailure(onFile(few.pcd(false)), 2, "900");
+}
+
+/** Three rooms, each point changed. */
+std::string
+threeRooms(const std::function<void(RoomPoint&)>& change)
+{
+  RoomScan scan = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}, {4.13, 5.11, 5, 4.27}});
+  for (auto& p : scan.points)
+    change(p);
+  return scan.pcd(false);
+}
+
+TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
+{
+  const auto turn = [](RoomPoint& p) { // y up
+    std::swap(p.y, p.z);
+    p.z = -p.z;
+  };
+  const auto scale = [](RoomPoint& p) {
+    for (float* value : {&p.x, &p.y, &p.z})
+      *value /= 0.3048F;
+  };
+  const auto areaWith = [&](const std::string& scan, const Strings& options) {
+    Strings all = options;
+    all.emplace_back("--no-mesh");
+    const ProgramRun made = onFile(scan, all);
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    std::string problem;
+    double area = 0;
+    for (const auto& room :
+         pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem)
+             .rooms)
+      area += room.area();
+    std::filesystem::remove_all(in("model"));
+    return area;
+  };
+  const double area = 6 * 5 + 4 * 3 + 5 * 4.27;
+  const std::string turned = threeRooms(turn);
+  expectFailure(onFile(turned), 2, "say --up y");
+  EXPECT_NEAR(areaWith(turned, {"--up", "y"}), area, 0.1);
+  const std::string in_feet = threeRooms(scale);
+  expectFailure(onFile(in_feet), 2, "--unit 0.3048");
+  EXPECT_NEAR(areaWith(in_feet, {"--unit", "0.3048"}), area, 0.1);
+  EXPECT_NEAR(areaWith(in_feet, {"--unit", "1"}), area / 0.3048 / 0.3048, 60);
+  EXPECT_NEAR(areaWith(threeRooms([](RoomPoint& p) { p.z = -p.z, p.y = -p.y; }),
+                       {"--up", "-z"}),
+              area, 0.1);
 }
 
 TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
@@ -151,15 +193,6 @@ TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
   expectFailure(refused, 2, "--partial");
   EXPECT_NE(refused.err.find("12 of "), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
-
-  // Turned, a room whose walls are floors, and beside it walls in pairs without any.
-  RoomScan turned = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}, {4.13, 5.11, 5, 4.27}});
-  for (int k = 0; k < 4; ++k)
-    for (const double y : {0.7 * k, 0.7 * k + 2.7})
-      turned.addPiece({12 + 4.0 * k, y, 0}, {16 + 4.0 * k, y, 2.5}, Label::Wall, 0);
-  for (auto& p : turned.points)
-    std::swap(p.y, p.z);
-  expectFailure(onFile(turned.pcd(false), {"--no-mesh"}), 2, "y seems to be up");
 
   const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
   EXPECT_EQ(partial.exit_code, 0) << partial.err;

@@ -65,13 +65,30 @@ rotationFrom(const Eigen::Vector3d& up)
                     std::acos(std::clamp(up.z(), -1.0, 1.0)));
 }
 
+bool
+isAlongAxis(const Eigen::Vector3d& direction, const Priors& priors)
+{
+  return direction.cwiseAbs().maxCoeff() >= std::cos(priors.same_axis);
+}
+
 std::string
 nameOf(const Eigen::Vector3d& up, const Priors& priors)
 {
   Eigen::Index axis = 0;
-  if (up.cwiseAbs().maxCoeff(&axis) < std::cos(priors.same_axis))
+  up.cwiseAbs().maxCoeff(&axis);
+  if (!isAlongAxis(up, priors))
     return formatText("the direction %.2f, %.2f, %.2f", up.x(), up.y(), up.z());
   return std::string(up[axis] < 0 ? "-" : "") + "xyz"[axis];
+}
+
+/** @brief Returns how a direction becomes z. */
+std::string
+wayOf(const Eigen::Vector3d& up, const Priors& priors)
+{
+  return isAlongAxis(up, priors)
+             ? "say --up " + nameOf(up, priors)
+             : "turn it, for instance by pcl_transform_point_cloud IN OUT " +
+                   rotationFrom(up);
 }
 
 /** @brief A direction along an axis of the scan, or of its inclination, in a unit. */
@@ -107,12 +124,14 @@ public:
 
   /** @brief Returns the likelier of some ends of an axis, in the likelier unit; none if
    * there is little air along it. */
-  Direction
-  along(std::size_t axis, std::initializer_list<int> signs, const Priors& priors) const
+  Direction along(std::size_t axis,
+                  std::initializer_list<int> signs,
+                  const Priors& priors,
+                  std::initializer_list<bool> units = {false, true}) const
   {
     Direction best;
     best.axis = axis;
-    for (const bool in_feet : {false, true}) {
+    for (const bool in_feet : units) {
       const AirAlongAxis& air = air_[in_feet ? 1 : 0][axis];
       if (air.area < 4 * priors.min_slab_area)
         continue;
@@ -160,6 +179,30 @@ public:
            ", along " + name_of_z + " " + described(z);
   }
 
+  /** @brief Returns how much more likely feet are than metres, whatever is up, nats; 0
+   * if only one of both has air. */
+  double natsOfFeet(const Priors& priors) const
+  {
+    std::array<double, 2> most{};
+    for (const bool in_feet : {false, true}) {
+      most[in_feet] = -std::numeric_limits<double>::infinity();
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        most[in_feet] =
+            std::max(most[in_feet], along(axis, {1, -1}, priors, {in_feet}).nats);
+    }
+    const double nats = most[1] - most[0];
+    return std::isfinite(nats) ? nats : 0;
+  }
+
+  /** @brief Returns a clause that the unit seems to be the foot. */
+  std::string clauseOfUnit(const Direction& up) const
+  {
+    const AirAlongAxis& air = air_[1][up.axis];
+    return formatText("between floors and ceilings are %.1f m in metres, %.1f m in "
+                      "feet, which is far likelier: ",
+                      air.height / foot, air.height);
+  }
+
 private:
   /** @brief Returns the largest area of air along an axis, in the unit of the scan. */
   double mostAir() const
@@ -181,7 +224,7 @@ doubtOfUp(const PointView& points,
           const std::vector<Eigen::Vector3d>& stations,
           unsigned threads,
           const Priors& priors,
-          bool unit_is_known)
+          const KnownOfScan& known)
 {
   UpDoubt doubt;
   doubt.tilt = tiltOf(points, indices, threads, priors);
@@ -190,7 +233,7 @@ doubtOfUp(const PointView& points,
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const AirAlongAxes air(points, indices, stations, turn, !unit_is_known, threads);
+  const AirAlongAxes air(points, indices, stations, turn, !known.unit, threads);
   const auto upOf = [&](const Direction& up) -> Eigen::Vector3d {
     return up.sign * turn.row(static_cast<Eigen::Index>(up.axis));
   };
@@ -200,34 +243,34 @@ doubtOfUp(const PointView& points,
   const Direction upright = air.along(2, {1}, priors);
   std::stable_sort(ends.rbegin(), ends.rend());
   Direction best = ends[0];
-  if (std::isfinite(upright.nats))
+  if (std::isfinite(upright.nats) && !known.up)
     doubt.nats = best.nats - upright.nats;
   if (!doubt.isDoubtful())
     best = upright;
   doubt.is_in_feet = best.is_in_feet;
+  doubt.feet_nats = air.natsOfFeet(priors);
+  doubt.unit_reason = air.clauseOfUnit(best) + if_in_feet;
   const Eigen::Vector3d up = upOf(best);
   if (doubt.isDoubtful())
-    doubt.reason = air.clauseOf(best, nameOf(up, priors), nameOf(z, priors));
+    doubt.reason = air.clauseOf(best, nameOf(up, priors), nameOf(z, priors)) + "; " +
+                   wayOf(up, priors);
   else if (doubt.isInclined())
     doubt.reason = formatText(
         "the scan is inclined: its floors and ceilings, %.0f square metres of "
-        "planes, stand at %.1f degrees to z, and its walls with them",
-        doubt.tilt.area, doubt.tilt.angle * 180 / M_PI);
+        "planes, stand at %.1f degrees to z, and its walls with them; %s",
+        doubt.tilt.area, doubt.tilt.angle * 180 / M_PI, wayOf(up, priors).c_str());
   else
     return doubt;
-  doubt.reason +=
-      "; turn it, for instance by pcl_transform_point_cloud IN OUT " + rotationFrom(up);
   if (best.axis != 2 && air.signNats(best) < UpDoubt::doubtful)
-    doubt.reason += formatText(" (or by %.5g if it is upside down then)",
-                               std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
+    doubt.reason += " (or " + wayOf(-up, priors) + ", if it is upside down then)";
   for (const Direction& rival : ends)
     if (doubt.isDoubtful() && rival.axis != best.axis && rival.axis != 2 &&
         rival.nats > best.nats - UpDoubt::doubtful)
-      doubt.reason += " (or, about as likely, by " + rotationFrom(upOf(rival)) +
-                      " if " + nameOf(upOf(rival), priors) + " is up)";
+      doubt.reason += " (or, about as likely, " + wayOf(upOf(rival), priors) + ")";
   if (best.is_in_feet)
-    doubt.reason += formatText(", and scale it by %g, as it seems to be in feet", foot);
-  doubt.reason += ", or say --z-up if it is right as it is";
+    doubt.reason += formatText(", and --unit %g, as it seems to be in feet", foot);
+  doubt.reason += doubt.isInclined() ? ", or say --z-up if it is right as it is"
+                                     : ", or say --up z if it is right as it is";
   if (doubt.isInclined())
     doubt.nats = std::numeric_limits<double>::infinity();
   return doubt;

@@ -16,16 +16,26 @@ namespace pcl::sedr {
 /** @brief Evidence that another direction than z is up, or that the scan is inclined.
  */
 struct UpDoubt {
-  static constexpr double doubtful = 1.3;            ///< nats; few right scans reach it
+  static constexpr double doubtful = 1.3;  ///< nats; few right scans reach it
+  static constexpr double certain = 2.303; ///< nats, odds of 10 to 1: it is refused
   static constexpr double max_tilt = 3 * M_PI / 180; ///< of a level scan, radians
 
-  double nats = 0;    ///< log-likelihood of that direction less that of z
-  std::string reason; ///< a sentence with the rotation that mends it; empty if none
-  ScanTilt tilt;      ///< of the scan, refused above `max_tilt`
+  double nats = 0;         ///< log-likelihood of that direction less that of z
+  std::string reason;      ///< a sentence with what mends it; empty if none
+  ScanTilt tilt;           ///< of the scan, refused above `max_tilt`
   bool is_in_feet = false; ///< as the air along the likeliest direction is
+  double feet_nats = 0;    ///< log-likelihood of feet less that of metres
+  std::string unit_reason; ///< a sentence with what mends the unit
 
   bool isDoubtful() const { return nats > doubtful; }
+  bool isCertain() const { return nats > certain; }
   bool isInclined() const { return tilt.angle > max_tilt; }
+};
+
+/** @brief What of a scan needs no doubt. */
+struct KnownOfScan {
+  bool up = false;   ///< that z is up, but for a tilt
+  bool unit = false; ///< that the unit is the metre
 };
 
 /** @brief Returns which of six directions, along the axes of the scan or of its
@@ -48,6 +58,6 @@ UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<Eigen::Vector3d>& stations,
                   unsigned threads = 1,
                   const Priors& priors = {},
-                  bool unit_is_known = false);
+                  const KnownOfScan& known = {});
 
 } // namespace pcl::sedr

@@ -90,7 +90,7 @@ heightsOfScanners(const Floorplan& plan, const std::vector<Eigen::Vector3f>& pla
 
 } // namespace
 
-std::string
+UnitDoubt
 footProblem(const Floorplan& plan,
             const std::vector<RoomLink>& links,
             const std::vector<Eigen::Vector3f>& places,
@@ -137,10 +137,10 @@ footProblem(const Floorplan& plan,
                ", and the scanner stood %.1f m above the floor");
   if (!(evidence.nats > doubtful))
     return {};
-  return formatText("the %sroom is %.1f m high and %.0f m2 large",
-                    plan.rooms.size() > 1 ? "largest " : "", height_of_largest,
-                    largest) +
-         evidence.words + ": " + if_in_feet;
+  return {evidence.nats, formatText("the %sroom is %.1f m high and %.0f m2 large",
+                                    plan.rooms.size() > 1 ? "largest " : "",
+                                    height_of_largest, largest) +
+                             evidence.words + ": " + if_in_feet};
 }
 
 } // namespace pcl::sedr

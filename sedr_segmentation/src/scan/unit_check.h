@@ -24,7 +24,13 @@ constexpr const char* if_in_feet =
  * @param storeys number of storeys found */
 std::string inchProblem(const PointView& points, std::size_t storeys);
 
-/** @brief Returns a sentence if the unit of a plan may be the foot, else an empty one:
+/** @brief Evidence that the unit of a plan is the foot. */
+struct UnitDoubt {
+  double nats = 0;    ///< log-likelihood of the foot less that of the metre
+  std::string reason; ///< a sentence; empty if there is no doubt
+};
+
+/** @brief Returns whether the unit of a plan may be the foot:
  * if its heights and areas of rooms, doors, walls and heights at which a scanner stood
  * are by 2 nats more likely in feet. Of each kind the logarithm lies about the middle
  * of the range that the priors give, which is two deviations wide; some are far above
@@ -32,9 +38,9 @@ std::string inchProblem(const PointView& points, std::size_t storeys);
  * places).
  * @param links of the rooms, as high as their doors
  * @param places where the scanner stood, in the frame of the plan; may be empty */
-std::string footProblem(const Floorplan& plan,
-                        const std::vector<RoomLink>& links = {},
-                        const std::vector<Eigen::Vector3f>& places = {},
-                        const Priors& priors = {});
+UnitDoubt footProblem(const Floorplan& plan,
+                      const std::vector<RoomLink>& links = {},
+                      const std::vector<Eigen::Vector3f>& places = {},
+                      const Priors& priors = {});
 
 } // namespace pcl::sedr

@@ -96,12 +96,14 @@ ChainRun::checkUp(const ScanPositions& positions)
   const UpDoubt doubt =
       doubtOfUp(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()), stations,
                 chain_.room_segmentation.getNumberOfThreads(), chain_.priors_,
-                chain_.unit_is_known);
+                {chain_.up_is_known, chain_.unit_is_known});
   chain_.seems_in_feet_ = doubt.is_in_feet;
   if (doubt.isDoubtful())
     chain_.up_doubt_ = doubt.reason;
-  if (doubt.isInclined())
-    return fail(doubt.reason);
+  if (doubt.isCertain())
+    return refuse(doubt.reason);
+  if (doubt.feet_nats > UpDoubt::certain)
+    return refuse(doubt.unit_reason);
   if (doubt.isDoubtful())
     warn({WarningKind::Up, {}, 0, 0, doubt.reason});
   if (doubt.tilt.angle > 0) {

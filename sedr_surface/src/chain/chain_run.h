@@ -71,6 +71,13 @@ public:
 
   bool fail(const std::string& reason);
 
+  /** @brief Fails because of the scan, not of a stage. */
+  bool refuse(const std::string& reason)
+  {
+    chain_.failed_stage = "input";
+    return fail(reason);
+  }
+
 private:
   /** @brief Runs one stage and stores its report. */
   bool runStage(const std::string& name,

@@ -7,6 +7,7 @@
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
+#include "sedr_segmentation/src/scan/scan_up.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <pcl/sedr_filters/floorplan.h>
@@ -142,10 +143,14 @@ ChainRun::fitPlan(StageReport& report)
                          chain_.floorplan_fitting.getWarnings().begin(),
                          chain_.floorplan_fitting.getWarnings().end());
   giveStoreys(chain_.getBuilding(), *chain_.plan);
-  if (!chain_.unit_is_known)
-    chain_.unit_doubt = footProblem(
+  if (!chain_.unit_is_known) {
+    const UnitDoubt doubt = footProblem(
         *chain_.plan, chain_.getBuilding().links,
         sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(), chain_.priors_);
+    if (doubt.nats > UpDoubt::certain)
+      return refuse(doubt.reason);
+    chain_.unit_doubt = doubt.reason;
+  }
   if (!chain_.unit_doubt.empty())
     warn(warningOf(WarningKind::Unit, chain_.unit_doubt));
   for (const auto& room : chain_.plan->rooms)

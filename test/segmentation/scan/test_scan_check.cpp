@@ -112,6 +112,14 @@ planOf(const std::vector<double>& heights, double area)
   return plan;
 }
 
+std::string
+footReason(const Floorplan& plan,
+           const std::vector<RoomLink>& links = {},
+           const std::vector<Eigen::Vector3f>& places = {})
+{
+  return footProblem(plan, links, places).reason;
+}
+
 /** A link of the given height. */
 std::vector<RoomLink>
 linkOf(double height)
@@ -123,7 +131,7 @@ linkOf(double height)
 
 TEST(FootProblem, RoomsAsHighAsThoseOfAHomeAreInFeetAreTold)
 {
-  const std::string problem = footProblem(planOf({8, 8.5, 10}, 150));
+  const std::string problem = footReason(planOf({8, 8.5, 10}, 150));
   EXPECT_TRUE(mentions(problem, "the largest room is 8.0 m high and 150 m2 large"))
       << problem;
   EXPECT_TRUE(mentions(problem, "--unit 0.3048")) << problem;
@@ -131,48 +139,47 @@ TEST(FootProblem, RoomsAsHighAsThoseOfAHomeAreInFeetAreTold)
 
 TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
 {
-  const std::string alone = footProblem(planOf({10.6}, 240));
+  const std::string alone = footReason(planOf({10.6}, 240));
   EXPECT_TRUE(mentions(alone, "the room is 10.6 m high")) << alone;
-  const std::string hall = footProblem(planOf({10.6}, 600));
+  const std::string hall = footReason(planOf({10.6}, 600));
   EXPECT_TRUE(mentions(hall, "--unit 0.3048")) << hall;
   Floorplan two = planOf({8, 8}, 150);
-  EXPECT_TRUE(mentions(footProblem(two, linkOf(6.7)), "--unit 0.3048"));
-  EXPECT_EQ(footProblem(two, linkOf(2.1)), "") << "halls with doors of metres";
-  EXPECT_EQ(footProblem(two, linkOf(4)), "") << "portals, which nobody passes in feet";
+  EXPECT_TRUE(mentions(footReason(two, linkOf(6.7)), "--unit 0.3048"));
+  EXPECT_EQ(footReason(two, linkOf(2.1)), "") << "halls with doors of metres";
+  EXPECT_EQ(footReason(two, linkOf(4)), "") << "portals, which nobody passes in feet";
   two.rooms[1].boundary = rectangle(16, 0, 31, 10);
-  EXPECT_TRUE(mentions(footProblem(two, linkOf(6)), "walls 1.00 m thick"));
+  EXPECT_TRUE(mentions(footReason(two, linkOf(6)), "walls 1.00 m thick"));
 }
 
 TEST(FootProblem, DoorsAndScannersTellItOfLargeRoomsToo)
 {
   const Floorplan halls = planOf({8, 8.5, 10}, 600);
   const std::vector<Eigen::Vector3f> in_feet{{3, 3, 5.2F}, {5, 5, 5.4F}, {3, 3, -2}};
-  const std::string problem = footProblem(halls, {}, in_feet);
+  const std::string problem = footReason(halls, {}, in_feet);
   EXPECT_TRUE(mentions(problem, "the scanner stood 5.")) << problem;
   const Floorplan gym = planOf({21}, 6000);
-  EXPECT_TRUE(mentions(footProblem(gym), "--unit 0.3048"));
-  EXPECT_EQ(footProblem(gym, {}, {{3, 3, 1.6F}}), "");
-  const std::string by_doors = footProblem(gym, linkOf(6.7));
+  EXPECT_TRUE(mentions(footReason(gym), "--unit 0.3048"));
+  EXPECT_EQ(footReason(gym, {}, {{3, 3, 1.6F}}), "");
+  const std::string by_doors = footReason(gym, linkOf(6.7));
   EXPECT_TRUE(mentions(by_doors, "6000 m2 large, doors are 6.7 m high")) << by_doors;
-  EXPECT_EQ(footProblem(gym, linkOf(6.7), {{3, 3, 1.6F}}), "") << "gates, not doors";
+  EXPECT_EQ(footReason(gym, linkOf(6.7), {{3, 3, 1.6F}}), "") << "gates, not doors";
 }
 
 TEST(FootProblem, AScannerAsHighAsADoorOfMetresTellsMetres)
 {
   const Floorplan hall = planOf({10.6}, 240);
-  EXPECT_EQ(footProblem(hall, {}, {{3, 3, 1.6F}}), "");
-  EXPECT_NE(footProblem(hall, {}, {{3, 3, 9.5F}}), "") << "a camera below the ceiling";
+  EXPECT_EQ(footReason(hall, {}, {{3, 3, 1.6F}}), "");
+  EXPECT_NE(footReason(hall, {}, {{3, 3, 9.5F}}), "") << "a camera below the ceiling";
 }
 
 TEST(FootProblem, HallsAndRoomsInMetresAreNone)
 {
-  EXPECT_EQ(footProblem(planOf({2.5, 2.4, 3}, 15)), "");
-  EXPECT_EQ(footProblem(planOf({8, 8, 2.6}, 150)), "")
-      << "halls and a room beside them";
-  EXPECT_EQ(footProblem(planOf({4, 6, 6.5}, 600)), "") << "three large halls";
+  EXPECT_EQ(footReason(planOf({2.5, 2.4, 3}, 15)), "");
+  EXPECT_EQ(footReason(planOf({8, 8, 2.6}, 150)), "") << "halls and a room beside them";
+  EXPECT_EQ(footReason(planOf({4, 6, 6.5}, 600)), "") << "three large halls";
   for (const double area : {60, 100, 200, 400})
-    EXPECT_EQ(footProblem(planOf({6}, area)), "") << "one hits one's head in feet";
-  EXPECT_EQ(footProblem(Floorplan()), "");
+    EXPECT_EQ(footReason(planOf({6}, area)), "") << "one hits one's head in feet";
+  EXPECT_EQ(footReason(Floorplan()), "");
 }
 
 TEST(InchProblem, IsToldByTheHeightOfTheStoreysThatWereFound)

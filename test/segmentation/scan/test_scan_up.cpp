@@ -51,6 +51,15 @@ flat()
 Eigen::AngleAxisd
 namedTurn(const std::string& sentence)
 {
+  const std::string axis = "say --up ";
+  if (const auto at = sentence.find(axis);
+      at != std::string::npos && sentence[at + axis.size()] != 'z') {
+    const bool is_negative = sentence[at + axis.size()] == '-';
+    const char name = sentence[at + axis.size() + (is_negative ? 1 : 0)];
+    return Eigen::AngleAxisd(Eigen::Quaterniond::FromTwoVectors(
+        (is_negative ? -1 : 1) * Eigen::Vector3d::Unit(name - 'x'),
+        Eigen::Vector3d::UnitZ()));
+  }
   const std::string option = "-axisangle ";
   const auto at = sentence.find(option);
   double x = 0;
@@ -88,6 +97,17 @@ TEST(ScanUp, OfAFlatIsToldInEachOfSixDirectionsWithTheTurnThatMendsIt)
       }
 }
 
+TEST(ScanUp, OfAScanWhoseAxisIsKnownNeedsNoDoubt)
+{
+  const RoomPoints turned = rotated(
+      flat(), Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix());
+  EXPECT_TRUE(doubtOf(turned).isCertain());
+  const UpDoubt known =
+      doubtOfUp(turned.view(), turned.all(), {}, 1, {}, {true, false});
+  EXPECT_EQ(known.reason, "");
+  EXPECT_FALSE(known.isDoubtful());
+}
+
 TEST(ScanUp, OfAVaultBelowAFloorIsDoubted)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
@@ -114,7 +134,8 @@ TEST(ScanUp, OfARoomAsWideAsHighNamesBothAxesThatMayBeUp)
   const UpDoubt doubt = doubtOf(room);
   EXPECT_TRUE(doubt.isDoubtful()) << doubt.nats;
   EXPECT_NE(doubt.reason.find("y seems to be up, not z"), std::string::npos);
-  EXPECT_NE(doubt.reason.find("x is up)"), std::string::npos) << doubt.reason;
+  EXPECT_NE(doubt.reason.find("about as likely, say --up"), std::string::npos)
+      << doubt.reason;
 }
 
 TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
@@ -140,8 +161,16 @@ TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
   const RoomPoints in_feet = rotated(flat(), Eigen::Matrix3d::Identity() / 0.3048);
   const UpDoubt of_feet = doubtOf(in_feet);
   EXPECT_TRUE(of_feet.is_in_feet);
-  EXPECT_FALSE(doubtOfUp(in_feet.view(), in_feet.all(), {}, 1, {}, true).is_in_feet);
+  EXPECT_FALSE(
+      doubtOfUp(in_feet.view(), in_feet.all(), {}, 1, {}, {false, true}).is_in_feet);
   EXPECT_EQ(of_feet.reason, "");
+  RoomPoints fine(0.02);
+  fine.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  const UpDoubt of_room = doubtOf(rotated(fine, Eigen::Matrix3d::Identity() / 0.3048));
+  EXPECT_GT(of_room.feet_nats, 0.3) << "by its height, though feet are rare";
+  EXPECT_NE(of_room.unit_reason.find("2.5 m in feet"), std::string::npos)
+      << of_room.unit_reason;
+  EXPECT_LE(doubtOf(fine).feet_nats, 0);
   EXPECT_EQ(doubtOfUp(PointView(), {}, {}).reason, "");
 }
 

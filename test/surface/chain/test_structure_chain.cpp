@@ -259,7 +259,7 @@ TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
   EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
 }
 
-TEST(StructureChain, WarnsOfRoomsInFeet)
+TEST(StructureChain, RefusesRoomsInFeetUnlessTheUnitIsKnown)
 {
   for (const double unit : {1.0, 0.5}) {
     RoomPoints points(0.1 * unit);
@@ -267,14 +267,12 @@ TEST(StructureChain, WarnsOfRoomsInFeet)
       points.room(rectangle(14 * room * unit, 0, (14 * room + 12) * unit, 10 * unit), 0,
                   8 * unit);
     StructureChain chain;
-    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-    bool warns = false;
-    for (const auto& warning : chain.warnings)
-      warns = warns || warning.reason.find("--unit 0.3048") != std::string::npos;
-    EXPECT_EQ(warns, unit == 1.0);
-    EXPECT_EQ(!chain.unit_doubt.empty(), warns);
-    if (!warns)
+    const bool is_done = chain.findStructure(points.cloud());
+    EXPECT_EQ(is_done, unit != 1.0) << chain.problem;
+    if (is_done)
       continue;
+    EXPECT_EQ(chain.failed_stage, "input");
+    EXPECT_NE(chain.problem.find("--unit 0.3048"), std::string::npos) << chain.problem;
     chain.unit_is_known = true;
     ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
     EXPECT_EQ(chain.unit_doubt, "");

@@ -137,6 +137,37 @@ TEST_F(ScanFiles, ThinningInPiecesIsThinningOfTheWhole)
   }
 }
 
+TEST_F(ScanFiles, AnAxisOfTheFileBecomesZWithNormalsAndPositions)
+{
+  writeFile(in("scan.pcd"),
+            "VERSION 0.7\nFIELDS normal_x normal_y normal_z x y z\nSIZE 4 4 4 4 8 4\n"
+            "TYPE F F F F F F\nCOUNT 1 1 1 1 1 1\nWIDTH 3\nHEIGHT 1\n"
+            "VIEWPOINT 7 8 9 1 0 0 0\nPOINTS 3\nDATA ascii\n"
+            "1 0 0 1 0 0\n0 1 0 0 1 0\n0 0 1 0 0 1\n");
+  for (const char* up : {"x", "-x", "y", "-y", "z", "-z"}) {
+    ScanSettings settings;
+    settings.up = up;
+    settings.unit = 2;
+    const ScanFile scan(in("scan.pcd"), settings);
+    const ToolCloud cloud = loadCloud(in("scan.pcd"), settings);
+    Eigen::Matrix3f turn; // the axes of the file, turned
+    for (int k = 0; k < 3; ++k)
+      turn.col(k) = (*cloud.points)[static_cast<std::size_t>(k)].getVector3fMap() / 2;
+    EXPECT_FLOAT_EQ(turn.determinant(), 1) << up << '\n' << turn;
+    Eigen::Vector3f axis = Eigen::Vector3f::Unit(std::string(up).back() - 'x');
+    axis *= up[0] == '-' ? -1.F : 1.F;
+    EXPECT_EQ(turn * axis, Eigen::Vector3f::UnitZ()) << up << '\n' << turn;
+    EXPECT_EQ(scan.viewpoint().head<3>(), 2 * turn * Eigen::Vector3f(7, 8, 9)) << up;
+    int row = 0;
+    for (const char* name : {"normal_x", "normal_y", "normal_z"}) {
+      const std::vector<float> values = floatField(cloud.blob, name);
+      for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(values[static_cast<std::size_t>(k)], turn(row, k)) << up << name;
+      ++row;
+    }
+  }
+}
+
 TEST_F(ScanFiles, DoublesAndUnitsAreBroughtIntoForm)
 {
   std::string doubles =

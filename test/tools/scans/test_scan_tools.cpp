@@ -30,7 +30,8 @@ TEST(ScanPrograms, AllTakeTheSameReadingOptions)
     static std::map<std::string, std::string> first;
     if (first.empty())
       first = texts;
-    for (const char* name : {"unit", "origin", "scan", "skip-broken", "columns"}) {
+    for (const char* name :
+         {"unit", "up", "origin", "scan", "skip-broken", "columns"}) {
       ASSERT_EQ(texts.count(name), 1u) << program << " --" << name;
       EXPECT_EQ(texts[name], first[name]) << program;
     }

@@ -89,11 +89,9 @@ std::string
 ScanOptions::given() const
 {
   const std::pair<const char*, bool> options[] = {
-      {"--scan", settings.scan != 0},
-      {"--skip-broken", settings.skip_broken},
-      {"--columns", !settings.columns.empty()},
-      {"--unit", unit.has_value()},
-      {"--origin", !origin.empty()}};
+      {"--scan", settings.scan != 0},           {"--skip-broken", settings.skip_broken},
+      {"--columns", !settings.columns.empty()}, {"--unit", unit.has_value()},
+      {"--up", !settings.up.empty()},           {"--origin", !origin.empty()}};
   for (const auto& [name, is_given] : options)
     if (is_given)
       return name;
@@ -107,6 +105,10 @@ addScanOptions(Options& options, ScanOptions& scan)
                          "length of one unit of the scan: 0.001 for millimetres, "
                          "0.3048 for feet",
                          "1", Range::between(1e-6, 1e6));
+  options.text("up", scan.settings.up,
+               "axis of the scan that is up; it becomes z, with which all results and "
+               "--origin are; else z, unless another is far likelier",
+               {"x", "-x", "y", "-y", "z", "-z"});
   options.text("origin", scan.origin,
                "x,y,z in m that coordinates are counted from, or a model whose origin "
                "is taken; whole metres in the middle of scans that lie more than 1 km "

@@ -25,7 +25,7 @@ struct ScanOptions {
 };
 
 /** @brief Declares what every program that reads scans takes: --scan, --skip-broken,
- * --columns, --unit and --origin. */
+ * --columns, --unit, --up and --origin. */
 void addScanOptions(Options& options, ScanOptions& scan);
 
 /** @brief Declares --positions, for programs that use where a point was scanned from.

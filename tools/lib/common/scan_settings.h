@@ -12,6 +12,7 @@ namespace pcl::sedr::tools {
 /** @brief Settings for reading a scan. */
 struct ScanSettings {
   double unit = 1;              ///< metres per unit of the file
+  std::string up;               ///< axis of the file that becomes z: x to -z; empty: z
   std::optional<Origin> origin; ///< of coordinates; empty: chosen automatically
   bool shifts = true;           ///< whether an origin is subtracted if none is given
   std::size_t scan = 0;     ///< number, from 1, of a scan within an E57 file; 0: all

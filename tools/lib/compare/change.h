@@ -23,6 +23,7 @@ struct Change {
   double size = 0;        ///< length of walls (m), area of all else (square metres)
   bool is_length = false; ///< whether `size` is a length
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of a moved element, metres
+  std::vector<PlanLoop> outlines{}; ///< of the elements after; before, if they vanished
 
   /** @brief Returns the elements of the plan that has them: the first one, unless they
    * appeared. */

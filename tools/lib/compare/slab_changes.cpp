@@ -96,6 +96,7 @@ struct Slab {
   SlabId id;
   std::string what; ///< "soffit", "recess", "step", "pit", "ceiling" or "floor"
   std::string name;
+  PlanLoop outline;
   std::size_t cells = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(); ///< of its cells' centres
   std::size_t known = 0;                         ///< cells in rooms of the other plan
@@ -133,14 +134,16 @@ describe(const PlanRoom& room, bool is_floor, Slab& slab)
   const int detail = slab.id.second;
   slab.what = is_floor ? "floor" : "ceiling";
   slab.name = "room_" + std::to_string(room.id) + "_" + slab.what;
+  slab.outline = room.boundary;
   if (slab.isMain())
     return;
   const PlanSlab& own = is_floor ? room.floorSlab(detail) : room.ceilingSlab(detail);
   const PlanSlab& main = is_floor ? room.floor : room.ceiling;
   const auto& parts = is_floor ? room.floor_details : room.details;
-  const auto& boundary = parts[static_cast<std::size_t>(detail)].boundary;
+  slab.outline = parts[static_cast<std::size_t>(detail)].boundary;
+  const auto& elements = slab.outline.elements;
   const Eigen::Vector2d place =
-      boundary.elements.empty() ? Eigen::Vector2d(0, 0) : boundary.elements[0].start;
+      elements.empty() ? Eigen::Vector2d(0, 0) : elements[0].start;
   const bool is_higher = own.heightAt(place) > main.heightAt(place);
   slab.what = is_floor ? is_higher ? "step" : "pit" : is_higher ? "recess" : "soffit";
   slab.name = "room_" + std::to_string(room.id) +
@@ -179,6 +182,7 @@ single(const Slab& slab, ChangeKind kind)
 {
   Change change{kind, slab.what, {}, {}, slab.area()};
   change.names() = {slab.name};
+  change.outlines = {slab.outline};
   return change;
 }
 
@@ -206,6 +210,7 @@ sideChanges(const Floorplan& before,
       changes.push_back(single(slab, ChangeKind::Moved));
       moved.insert(successor->first);
       changes.back().after = {new_slabs.at(successor->first).name};
+      changes.back().outlines = {new_slabs.at(successor->first).outline};
       changes.back().shift.z() = middleValue(successor->second);
     }
     else if (!slab.isMain())
@@ -228,6 +233,7 @@ sideChanges(const Floorplan& before,
   for (const auto& [a, b] : takePairs(gone, come, settings.farthest, distance)) {
     changes.push_back(single(a, ChangeKind::Moved));
     changes.back().after = {b.name};
+    changes.back().outlines = {b.outline};
     changes.back().shift = b.middle() - a.middle();
   }
   for (const Slab& slab : come)
@@ -260,6 +266,7 @@ addLostRooms(const Floorplan& plan,
     ids.push_back(room.id);
     changes.push_back({kind, "room", {}, {}, room.area()});
     changes.back().names() = {"room_" + std::to_string(room.id)};
+    changes.back().outlines = {room.boundary};
   }
 }
 

@@ -2,6 +2,7 @@
 #include "element_changes.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
@@ -21,6 +22,7 @@ struct Thing {
   Eigen::Vector3d middle; ///< metres
   double area = 0;        ///< square metres
   RoomHeights heights;    ///< of the room of a column
+  PlanLoop outline;
   const PlanOpening* opening = nullptr;
 };
 
@@ -36,7 +38,8 @@ columnsOf(const Floorplan& plan)
            "room_" + std::to_string(room.id) + "_column_" + std::to_string(k + 1),
            {centre.x(), centre.y(), 0},
            std::abs(room.columns[k].area()),
-           heightsOf(room)});
+           heightsOf(room),
+           room.columns[k]});
     }
   return columns;
 }
@@ -63,6 +66,7 @@ openingsOf(const Floorplan& plan)
                         {place.x(), place.y(), (o.bottom + o.top) / 2},
                         o.width() * o.height(),
                         {},
+                        {{segment(o.start, o.end)}},
                         &o});
   }
   return openings;
@@ -123,6 +127,7 @@ addSingles(const std::vector<Thing>& things,
     if (hasPlaceOf(thing, other)) {
       changes.push_back({kind, thing.what, {}, {}, thing.area});
       changes.back().names() = {thing.name};
+      changes.back().outlines = {thing.outline};
     }
 }
 
@@ -140,6 +145,7 @@ columnChanges(const Floorplan& before,
     if (columnsApart(a, b) > settings.tolerance) {
       changes.push_back({ChangeKind::Moved, a.what, {a.name}, {b.name}, a.area});
       changes.back().shift = b.middle - a.middle;
+      changes.back().outlines = {b.outline};
     }
   addSingles(gone, after, ChangeKind::Vanished, changes);
   addSingles(come, before, ChangeKind::Appeared, changes);

@@ -193,6 +193,7 @@ addMoves(std::vector<Move> moves, double tolerance, std::vector<Change>& changes
     for (const Move& move : together) {
       change.before.push_back(move.first.name());
       change.after.push_back(move.second.name());
+      change.outlines.push_back({{*move.second.wall}});
       change.size = std::max(change.size, move.first.length());
       change.shift.head<2>() +=
           way(move) * move.first.normal() / static_cast<double>(together.size());
@@ -227,6 +228,7 @@ addSingles(std::vector<Face> faces, ChangeKind kind, std::vector<Change>& change
     change.what = is_partition ? "partition" : group.size() == 1 ? "wall" : "walls";
     for (const auto& face : group) {
       change.names().push_back(face.name());
+      change.outlines.push_back({{*face.wall}});
       change.size = is_partition ? std::max(change.size, face.length())
                                  : change.size + face.length();
     }

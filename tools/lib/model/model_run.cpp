@@ -108,6 +108,8 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
 void
 reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& record)
 {
+  chain.getChain().unit_is_known = knowsUnit(settings);
+  chain.getChain().up_is_known = !settings.scan.settings.up.empty();
   std::unique_ptr<Progress> progress;
   chain.getChain().on_stage = [&](const std::string& stage) {
     progress.reset(); // ends the line before the next one
@@ -122,7 +124,10 @@ reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& rec
   chain.getChain().on_stage = nullptr; // it refers to `progress`, which ends here
   progress.reset();
   if (!is_done)
-    throw ToolError("no structure found: " + chain.getErrorMessage(), NothingFound);
+    throw ToolError(chain.getChain().failed_stage == "input"
+                        ? chain.getErrorMessage()
+                        : "no structure found: " + chain.getErrorMessage(),
+                    NothingFound);
 }
 
 /** @brief Measures distances of the labelled scan points, before refinement, from the
@@ -289,7 +294,6 @@ makeModel(const ModelSettings& settings,
   record.reading = settings.scan.settings;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
-    chain.getChain().unit_is_known = knowsUnit(settings);
   });
   reconstruct(settings, chain, record);
   if (const auto gap = coverageWarning(record.coverage))

@@ -37,6 +37,8 @@ inputOf(const RunRecord& run)
   Json input{{"path", namesOf(run.inputs)},
              {"points", run.points},
              {"unit", reading.unit}};
+  if (!reading.up.empty())
+    input["up"] = reading.up;
   if (reading.scan > 0)
     input["scan"] = reading.scan;
   if (reading.skip_broken)

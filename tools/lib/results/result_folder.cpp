@@ -40,6 +40,15 @@ valueAt(const ResultFolder::Json& json, const char* place, const ValueT& fallbac
                : fallback;
 }
 
+/** @brief Returns the axis of the scan that became z; empty if it is none. */
+std::string
+upOf(const ResultFolder::Json& report)
+{
+  const std::string up = valueAt(report, "/input/up", std::string());
+  return std::string(" x -x y -y z -z ").find(" " + up + " ") == std::string::npos ? ""
+                                                                                   : up;
+}
+
 ResultFolder::Json
 readReport(const std::string& path)
 {
@@ -95,6 +104,7 @@ ResultFolder::scanSettings() const
 {
   ScanSettings settings;
   settings.unit = valueAt(report_, "/input/unit", 1.0);
+  settings.up = upOf(report_);
   settings.scan = valueAt(report_, "/input/scan", std::size_t{0});
   settings.columns = valueAt(report_, "/input/columns", std::string());
   settings.skip_broken = valueAt(report_, "/input/skip_broken", false);

@@ -63,7 +63,7 @@ RowPlan::RowPlan(const StoredRow& stored, double unit, const Eigen::Vector3d& sh
     Move move{field, row_size_};
     const int axis = axisOf(field);
     if (axis >= 0 && (unit != 1 || shift[axis] != 0 || field.count != 1 ||
-                      field.datatype != Field::FLOAT32)) {
+                      field.datatype != Field::FLOAT32 || field.becomes_float)) {
       move.is_number = true;
       move.unit = unit;
       move.shift = shift[axis];

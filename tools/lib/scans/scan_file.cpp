@@ -25,6 +25,48 @@ warnOfMesh(const std::string& path, const ScanContent& content)
              "pcl_mesh_sampling makes more of it");
 }
 
+/** @brief Returns the rotation that turns an axis, such as y or -z, to z; x stays, or y
+ * if x is turned. */
+Eigen::Matrix3d
+turnToZ(const std::string& up)
+{
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  const auto axis = up.empty() ? 2 : Eigen::Index{up.back() - 'x'};
+  turn.row(2) = (up.size() > 1 ? -1 : 1) * Eigen::RowVector3d::Unit(axis);
+  if (axis == 0) {
+    turn.row(1) = Eigen::RowVector3d::UnitY();
+    turn.row(0) = turn.row(1).cross(turn.row(2));
+  }
+  else
+    turn.row(1) = turn.row(2).cross(turn.row(0));
+  return turn;
+}
+
+/** @brief Returns a row whose coordinates and normals are in another frame, along the
+ * same axes. */
+StoredRow
+turned(const StoredRow& row, const Eigen::Matrix3d& turn)
+{
+  StoredRow result = row;
+  for (const std::string group : {"", "normal_"})
+    for (Eigen::Index axis = 0; axis < 3 && !turn.isIdentity(0); ++axis) {
+      Eigen::Index old = 0;
+      turn.row(axis).cwiseAbs().maxCoeff(&old);
+      for (std::size_t k = 0; k < row.fields.size(); ++k)
+        if (row.fields[k].name == group + "xyz"[old])
+          for (StoredField& field : result.fields)
+            if (field.name == group + "xyz"[axis]) { // keeps its place among the fields
+              const std::string name = field.name;
+              field = row.fields[k];
+              field.name = name;
+              field.scale *= turn(axis, old);
+              field.shift *= turn(axis, old);
+              field.becomes_float = true;
+            }
+    }
+  return result;
+}
+
 } // namespace
 
 bool
@@ -38,17 +80,21 @@ ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
     , positions_(settings.positions)
     , unit_(settings.unit)
     , piece_bytes_(settings.piece_bytes)
+    , turn_(turnToZ(settings.up))
     , content_(openScan(path, settings))
+    , row_(turned(content_.points->row(), turn_))
 {
   checkCoordinates();
+  content_.orientation = Eigen::Quaternionf(turn_.cast<float>()) * content_.orientation;
+  content_.counted_from.place = turn_ * content_.counted_from.place;
   settleOrigin(settings);
-  plan_.emplace(content_.points->row(), unit_, shift_);
+  plan_.emplace(row_, unit_, shift_);
 }
 
 void
 ScanFile::checkCoordinates() const
 {
-  const auto& fields = content_.points->row().fields;
+  const auto& fields = row_.fields;
   std::string names;
   for (const auto& field : fields)
     names += " " + quotedWord(field.name);
@@ -79,7 +125,7 @@ ScanFile::forEachPiece(std::size_t begin,
   constexpr std::size_t rows_at_once = std::size_t{1} << 14;
   if (begin == 0)
     warnOfMesh(path_, content_);
-  const std::size_t stored_size = content_.points->row().size;
+  const std::size_t stored_size = row_.size;
   const std::size_t rows_a_piece =
       std::max<std::size_t>(1, piece_bytes_ / std::max(stored_size, rowSize()));
   std::vector<std::uint8_t> rows;

@@ -97,7 +97,7 @@ private:
   /** @brief Converts a place of the file to the coordinates of rows. */
   Eigen::Vector3f inMetres(const Eigen::Vector3d& place) const
   {
-    return (unit_ * place - shift_).cast<float>();
+    return (unit_ * turn_ * place - shift_).cast<float>();
   }
 
   /** @brief Takes VIEWPOINT for the origin where it is far from 0 and the points are
@@ -112,7 +112,9 @@ private:
   std::string positions_; ///< file of positions, may be empty
   double unit_;
   std::size_t piece_bytes_;
+  Eigen::Matrix3d turn_; ///< from the frame of the file to one with z up
   ScanContent content_;
+  StoredRow row_; ///< of the content, in the frame with z up
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero(); ///< subtracted at reading, metres
   Origin origin_;               ///< shift_ plus what was subtracted before
   std::optional<RowPlan> plan_; ///< conversion to output rows

@@ -83,9 +83,8 @@ isKeptByPcl(const Eigen::Vector3d& place)
 void
 ScanFile::addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const
 {
-  const StoredRow& row = content_.points->row();
-  const std::array<const StoredField*, 3> xyz{row.find("x"), row.find("y"),
-                                              row.find("z")};
+  const std::array<const StoredField*, 3> xyz{row_.find("x"), row_.find("y"),
+                                              row_.find("z")};
   Chunk chunk;
   chunk.first = first;
   for (std::size_t done = 0; done < size; done += chunk.size) {
@@ -94,7 +93,7 @@ ScanFile::addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) con
       Eigen::Vector3d p;
       for (std::size_t axis = 0; axis < 3; ++axis)
         p[static_cast<Eigen::Index>(axis)] =
-            unit_ * xyz[axis]->valueIn(&chunk.rows[i * row.size]);
+            unit_ * xyz[axis]->valueIn(&chunk.rows[i * row_.size]);
       for (std::size_t axis = 0; axis < 3 && p.allFinite(); ++axis)
         places[axis].push_back(p[static_cast<Eigen::Index>(axis)]);
     }
@@ -129,7 +128,7 @@ ScanFile::takeOriginFromViewpoint(const ScanPlaces& places)
 {
   if (!content_.may_be_local || !content_.viewpoint)
     return false;
-  const Eigen::Vector3d place = *content_.viewpoint;
+  const Eigen::Vector3d place = turn_ * *content_.viewpoint;
   const double size = place.lpNorm<Eigen::Infinity>();
   const bool is_origin = size < farthest_grid &&
                          size * std::min(1.0, unit_) > far_away && isKeptByPcl(place) &&
@@ -146,7 +145,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
 {
   const ScanPlaces places = samplePlaces();
   const auto isFloat = [&](const char* name) {
-    return content_.points->row().find(name)->datatype == pcl::PCLPointField::FLOAT32;
+    return row_.find(name)->datatype == pcl::PCLPointField::FLOAT32;
   };
   const bool are_floats = isFloat("x") && isFloat("y") && isFloat("z");
   const bool takes_viewpoint = takeOriginFromViewpoint(places);

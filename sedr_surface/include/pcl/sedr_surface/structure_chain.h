@@ -95,11 +95,16 @@ public:
    * unchanged. */
   bool trust_up = false;
 
+  /** @brief Whether z is known to be up, so that only its tilt is looked for. A scan
+   * of which another axis is up by odds of 10 to 1 is refused otherwise. */
+  bool up_is_known = false;
+
   /** @brief Whether the results of a tilted scan stay in the level frame, see
    * `levelling`. */
   bool keep_levelled = false;
 
-  /** @brief Whether the unit is known to be the metre, so that no warning doubts it. */
+  /** @brief Whether the unit is known to be the metre, so that no warning doubts it. A
+   * scan that is in feet by odds of 10 to 1 is refused otherwise. */
   bool unit_is_known = false;
 
   /** @brief Origin of the scan's coordinates, for writers of the results. */
