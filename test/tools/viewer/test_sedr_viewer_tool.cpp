@@ -58,10 +58,14 @@ protected:
   static double shareOf(const Image& image, Colour colour)
   {
     // The channels keep their ratios in any light.
+    const auto rgb = [](Colour of) {
+      const auto [red, green, blue] = channelsOf(of);
+      return Eigen::Vector3d(red, green, blue);
+    };
     std::size_t count = 0;
     for (const auto pixel : image.pixels) {
-      const Eigen::Vector3d p(pixel.red, pixel.green, pixel.blue);
-      const Eigen::Vector3d c(colour.red, colour.green, colour.blue);
+      const Eigen::Vector3d p = rgb(pixel);
+      const Eigen::Vector3d c = rgb(colour);
       const bool is_lit_so = p.norm() > 0.6 * c.norm() && p.norm() < 1.05 * c.norm();
       if (is_lit_so && p.normalized().dot(c.normalized()) > 0.9995)
         ++count;
@@ -152,7 +156,7 @@ TEST_F(ViewerTool, AStagesCloudShowsEveryLabelInItsColour)
     int dark = 0;
     for (int y = 0; y < 100; ++y)
       for (int x = 0; x < 150; ++x)
-        dark += view.at(x, y).green < 128 ? 1 : 0;
+        dark += channelsOf(view.at(x, y))[1] < 128 ? 1 : 0;
     return dark > 100;
   };
   EXPECT_FALSE(isWritten(image));
