@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "change.h"
+#include "comparison.h"
 #include "picture.h"
 
 namespace pcl::sedr::tools {
