@@ -83,7 +83,7 @@ public:
         addWall(side);
       }
     for (std::size_t i = 0; i < niches_.size(); ++i)
-      addNiche(room_.niches[i], niches_[i]);
+      addNiche(room_.wall_niches[i], niches_[i]);
     expectClosed(first);
   }
 
@@ -105,8 +105,8 @@ private:
 
   void addNicheFootprints()
   {
-    for (const Niche& niche : room_.niches) {
-      const Element& wall = room_.outline.elements[niche.wall];
+    for (const WallGap& niche : room_.wall_niches) {
+      const Element& wall = room_.boundary.elements[niche.wall];
       std::map<double, std::uint32_t> along;
       for (const PlanSide& side : plan_.sides)
         if (side.isWithin(niche)) {
@@ -131,11 +131,10 @@ private:
     for (const PlanTriangle& triangle : plan_.triangles)
       for (const std::uint32_t corner : triangle.corners) {
         const Vec2& point = points_[corner];
-        const double low = heightAt(slabOf(room_, triangle.floor, Layer::Floor), point);
-        const double high =
-            heightAt(slabOf(room_, triangle.ceiling, Layer::Ceiling), point);
+        const double low = room_.floorSlab(triangle.floor).heightAt(point);
+        const double high = room_.ceilingSlab(triangle.ceiling).heightAt(point);
         // At the edge of a tilted wall floor and ceiling may meet.
-        if (high - low < (room_.tilts.empty() ? kSameHeight : -kSameHeight))
+        if (high - low < (room_.foot.elements.empty() ? kSameHeight : -kSameHeight))
           throwAt(point, "the ceiling is not above the floor");
         levels_[corner].insert(low);
         levels_[corner].insert(high);
@@ -153,7 +152,7 @@ private:
     for (std::size_t i = 0; i < niches_.size(); ++i)
       for (const auto* points : {&niches_[i].near, &niches_[i].far})
         for (const std::uint32_t point : *points)
-          insert(point, room_.niches[i]);
+          insert(point, room_.wall_niches[i]);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       first_vertex_.push_back(static_cast<std::uint32_t>(scene_.mesh.vertices.size()));
       for (std::size_t k = 0; k < levels_[i].size(); ++k)
@@ -172,12 +171,12 @@ private:
   void addSlabFace(const PlanTriangle& triangle, Layer layer)
   {
     const bool is_floor = layer == Layer::Floor;
-    const Region region = is_floor ? triangle.floor : triangle.ceiling;
+    const int region = is_floor ? triangle.floor : triangle.ceiling;
     const Slab& slab = slabOf(room_, region, layer);
     Triangle corners{};
     for (std::size_t k = 0; k < 3; ++k)
       corners[k] =
-          vertexAt(triangle.corners[k], heightAt(slab, points_[triangle.corners[k]]));
+          vertexAt(triangle.corners[k], slab.heightAt(points_[triangle.corners[k]]));
     if (is_floor)
       std::swap(corners[1], corners[2]);
     const bool is_open =
@@ -195,24 +194,24 @@ private:
     for (const Opening& opening : openings_)
       if (side.isWithin(opening))
         gaps.emplace_back(&opening, opening.number);
-    for (const Niche& niche : room_.niches)
+    for (const WallGap& niche : room_.wall_niches)
       if (side.isWithin(niche))
         gaps.emplace_back(&niche, 0);
     std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) {
       return a.first->sill < b.first->sill;
     });
-    Slab low = slabOf(room_, triangle.floor, Layer::Floor);
+    Slab low = room_.floorSlab(triangle.floor);
     for (const auto& [gap, opening] : gaps) {
-      addStrip(strip, low, {gap->sill});
+      addStrip(strip, low, level(gap->sill));
       if (opening > 0) {
         Strip closed = strip;
         closed.surface = Surface::Gap;
         closed.opening = opening;
-        addStrip(closed, {gap->sill}, {gap->head});
+        addStrip(closed, level(gap->sill), level(gap->head));
       }
-      low = {gap->head};
+      low = level(gap->head);
     }
-    addStrip(strip, low, slabOf(room_, triangle.ceiling, Layer::Ceiling));
+    addStrip(strip, low, room_.ceilingSlab(triangle.ceiling));
   }
 
   void addRiser(const PlanSide& side, Layer layer)
@@ -225,7 +224,7 @@ private:
     const Slab& left = slab(side.triangle);
     const Slab& right = slab(*side.beyond);
     const auto rise = [&](std::uint32_t point) {
-      return heightAt(left, points_[point]) - heightAt(right, points_[point]);
+      return left.heightAt(points_[point]) - right.heightAt(points_[point]);
     };
     const auto [least, most] = std::minmax({rise(side.a), rise(side.b)});
     if (least > -kSameHeight && most < kSameHeight)
@@ -240,11 +239,11 @@ private:
     addStrip(strip, left_is_higher ? right : left, left_is_higher ? left : right);
   }
 
-  void addNiche(const Niche& niche, const NicheFootprint& footprint)
+  void addNiche(const WallGap& niche, const NicheFootprint& footprint)
   {
     const auto& [near, far] = footprint;
-    const Slab low{niche.sill};
-    const Slab high{niche.head};
+    const Slab low = level(niche.sill);
+    const Slab high = level(niche.head);
     const auto add_flat = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       scene_.addFace(
           {vertexAt(a, niche.head), vertexAt(b, niche.head), vertexAt(c, niche.head)},
@@ -265,7 +264,7 @@ private:
   void addStrip(const Strip& strip, const Slab& low, const Slab& high)
   {
     const auto level = [this](std::uint32_t point, const Slab& slab) {
-      return levels_[point].indexOf(heightAt(slab, points_[point]));
+      return levels_[point].indexOf(slab.heightAt(points_[point]));
     };
     const VertexLevels& za = levels_[strip.a];
     const VertexLevels& zb = levels_[strip.b];

@@ -18,7 +18,7 @@ constexpr double kStoreyStep = 1.5;
 void
 checkGap(const Room& room, const WallGap& gap, const std::string& place)
 {
-  const auto& walls = room.outline.elements;
+  const auto& walls = room.boundary.elements;
   if (gap.wall >= walls.size())
     throw std::invalid_argument(place + " lies on no wall");
   if (!(gap.from >= 0.0 && gap.from < gap.to && gap.to <= walls[gap.wall].length()))
@@ -30,71 +30,46 @@ checkGap(const Room& room, const WallGap& gap, const std::string& place)
 double
 floorOf(const Room& room)
 {
-  return heightAt(room.floor, pointInside(room.outline));
-}
-
-double
-heightOf(const Room& room, const Vec2& point, Layer layer)
-{
-  return heightAt(slabOf(room, regionAt(room, point, layer), layer), point);
+  return room.floor.heightAt(pointInside(room.boundary));
 }
 
 } // namespace
 
-const std::vector<SlabDetail>&
-detailsOf(const Room& room, Layer layer)
+Slab
+planeAt(double height, const Vec2& gradient, const Vec2& place)
 {
-  return layer == Layer::Floor ? room.floor_details : room.details;
+  const Vec3 normal = Vec3(-gradient.x(), -gradient.y(), 1.0).normalized();
+  Slab slab;
+  slab.plane << normal, -normal.dot(lifted(place, height));
+  return slab;
 }
 
-Region
-regionAt(const Room& room, const Vec2& point, Layer layer)
+Slab
+raised(Slab slab, double distance)
 {
-  if (!isInRoom(room, point))
-    return kVoid;
-  const auto& details = detailsOf(room, layer);
-  for (std::size_t i = details.size(); i > 0; --i)
-    if (details[i - 1].contains(point))
-      return static_cast<Region>(i);
-  return kMain;
+  slab.plane[3] -= slab.plane[2] * distance;
+  return slab;
 }
 
-const Slab&
-slabOf(const Room& room, Region region, Layer layer)
+Vec2
+gradientOf(const Slab& slab)
 {
-  if (region <= kMain)
-    return layer == Layer::Floor ? room.floor : room.ceiling;
-  return detailsOf(room, layer)[static_cast<std::size_t>(region - 1)].slab;
+  return -slab.plane.head<2>() / slab.plane[2];
 }
 
 Label
-labelOf(const Room& room, Region region, Layer layer)
+labelOf(const Room& room, int detail, Layer layer)
 {
-  const Label whole = layer == Layer::Floor ? Label::Floor : Label::Ceiling;
-  if (region == kMain)
+  const bool is_floor = layer == Layer::Floor;
+  const Label whole = is_floor ? Label::Floor : Label::Ceiling;
+  if (detail < 0)
     return whole;
-  const auto& detail = detailsOf(room, layer)[static_cast<std::size_t>(region - 1)];
-  return detail.is_wall ? Label::Wall : detail.is_facet ? whole : Label::Detail;
-}
-
-bool
-isInRoom(const Room& room, const Vec2& point)
-{
-  return room.outline.contains(point) &&
-         std::none_of(room.columns.begin(), room.columns.end(),
-                      [&](const Loop& column) { return column.contains(point); });
-}
-
-double
-floorBelow(const Room& room, const Vec2& point)
-{
-  return heightOf(room, point, Layer::Floor);
-}
-
-double
-ceilingAbove(const Room& room, const Vec2& point)
-{
-  return heightOf(room, point, Layer::Ceiling);
+  const auto& details = detailsOf(room, layer);
+  const auto index = static_cast<std::size_t>(detail);
+  const std::size_t walls = is_floor ? room.floor_walls : room.ceiling_walls;
+  return index + walls >= details.size() ? Label::Wall
+         : details[index].is_facet       ? whole
+                                         : Label::Detail;
 }
 
 std::uint32_t
@@ -105,10 +80,10 @@ roomAt(const Scene& scene, const Vec3& point)
   const Vec2 place = plan(point);
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const Room& room = scene.rooms[i];
-    if (!room.outline.contains(place))
+    if (!room.boundary.contains(place))
       continue;
-    const double distance = std::max({floorBelow(room, place) - point.z(),
-                                      point.z() - ceilingAbove(room, place), 0.0});
+    const double distance = std::max(
+        {room.floorAt(place) - point.z(), point.z() - room.ceilingAt(place), 0.0});
     if (distance < least) {
       least = distance;
       nearest = static_cast<std::uint32_t>(i + 1);
@@ -123,21 +98,10 @@ placeOf(const std::string& list, std::size_t index)
   return list + '[' + std::to_string(index) + ']';
 }
 
-std::vector<Vec2>
-cornersOf(const Box& box)
-{
-  std::vector<Vec2> corners;
-  for (const Vec2& sign :
-       {Vec2(-0.5, -0.5), Vec2(0.5, -0.5), Vec2(0.5, 0.5), Vec2(-0.5, 0.5)})
-    corners.push_back(plan(box.center) +
-                      rotated(sign.cwiseProduct(plan(box.size)), box.yaw));
-  return corners;
-}
-
 Element
 faceOf(const Room& room, const WallGap& gap)
 {
-  return room.outline.elements[gap.wall].part(gap.from, gap.to);
+  return room.boundary.elements[gap.wall].part(gap.from, gap.to);
 }
 
 Opening
@@ -146,8 +110,8 @@ otherSideOf(const Scene& scene, std::size_t room, std::size_t index)
   const Opening& opening = scene.rooms[room].openings[index];
   const Element far = offsetRight(faceOf(scene.rooms[room], opening), opening.depth);
   const Room& target = scene.rooms[*opening.leads_to];
-  for (std::size_t i = 0; i < target.outline.elements.size(); ++i) {
-    const Element& behind = target.outline.elements[i];
+  for (std::size_t i = 0; i < target.boundary.elements.size(); ++i) {
+    const Element& behind = target.boundary.elements[i];
     const auto from = locate(behind, far.end, kMatch);
     const auto to = locate(behind, far.start, kMatch);
     if (!from || !to || !(*from < *to))
@@ -174,8 +138,8 @@ openingsByRoom(const Scene& scene)
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const Room& room = scene.rooms[i];
     const std::string place = placeOf("rooms", i);
-    for (std::size_t k = 0; k < room.niches.size(); ++k)
-      checkGap(room, room.niches[k], placeOf(place + ".niches", k));
+    for (std::size_t k = 0; k < room.wall_niches.size(); ++k)
+      checkGap(room, room.wall_niches[k], placeOf(place + ".niches", k));
     for (std::size_t k = 0; k < room.openings.size(); ++k) {
       checkGap(room, room.openings[k], placeOf(place + ".openings", k));
       openings[i].push_back(room.openings[k]);

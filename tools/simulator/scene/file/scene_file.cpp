@@ -98,7 +98,7 @@ readWalk(const JsonView& view, const Scene& scene)
   const double floor = view.numberOr("floor", kLowest);
   for (Vec3& station : stations)
     if (const std::uint32_t room = roomAt(scene, lifted(plan(station), floor)))
-      station.z() += floorBelow(scene.rooms[room - 1], plan(station));
+      station.z() += scene.rooms[room - 1].floorAt(plan(station));
   return stations;
 }
 
