@@ -62,7 +62,7 @@ struct SheetGroup {
 
 /** @brief Paths and boxes that follow are in the coordinates of `view`, which fills
  * `box` of the sheet, and are seen only there; texts and widths of lines stay in those
- * of the sheet. Both have the same proportions. An empty box ends that. */
+ * of the sheet. Both have the same proportions. An empty box or a group ends that. */
 struct SheetView {
   Eigen::AlignedBox2d box;
   Eigen::AlignedBox2d view;

@@ -18,7 +18,8 @@ constexpr double margin = 16;
 constexpr double gap = 24;
 constexpr double title_height = 40;
 constexpr double panel_title_height = 28;
-constexpr double tallest = 800; ///< of all maps
+constexpr double tallest = 800;     ///< of all maps,
+constexpr double tallest_row = 300; ///< or more for so many rows
 constexpr double line_height = 24;
 constexpr double inside = width - 2 * margin;
 constexpr double font = 14;
@@ -157,9 +158,8 @@ Panel::draw(const Eigen::Vector2d& corner, double scale, Sheet& sheet) const
     label.ground = paper_colour;
     label.is_bold = true;
     const Eigen::Vector2d half = font * halfSizeOf({text});
-    label.place.x() =
-        std::max(box.min().x() + half.x() + edge,
-                 std::min(label.place.x(), box.max().x() - half.x() - edge));
+    const Eigen::Vector2d in = half + Eigen::Vector2d::Constant(edge);
+    label.place = label.place.cwiseMin(box.max() - in).cwiseMax(box.min() + in);
     if (view_.contains(place) && places.takeFirst({{label.place, half, 0}}))
       sheet.add(label);
   }
@@ -175,6 +175,8 @@ Picture::scale() const
     for (const Panel& map : row)
       largest = largest.cwiseMax(map.view().sizes());
   }
+  const double all =
+      std::max(tallest, tallest_row * static_cast<double>(rows_.size())); // pixels
   double best = 0;
   for (std::size_t columns = most; columns >= 1; --columns) {
     double lines = 0;
@@ -182,7 +184,7 @@ Picture::scale() const
       lines += static_cast<double>((row.size() + columns - 1) / columns);
     const double scale =
         std::min(((inside + gap) / static_cast<double>(columns) - gap) / largest.x(),
-                 tallest / lines / largest.y());
+                 all / lines / largest.y());
     // Adjacent maps compare better: more lines only if maps become much larger.
     if (scale > 1.5 * best)
       best = scale;
