@@ -202,14 +202,14 @@ private:
     });
     Slab low = room_.floorSlab(triangle.floor);
     for (const auto& [gap, opening] : gaps) {
-      addStrip(strip, low, level(gap->sill));
+      addStrip(strip, low, horizontalSlab(gap->sill));
       if (opening > 0) {
         Strip closed = strip;
         closed.surface = Surface::Gap;
         closed.opening = opening;
-        addStrip(closed, level(gap->sill), level(gap->head));
+        addStrip(closed, horizontalSlab(gap->sill), horizontalSlab(gap->head));
       }
-      low = level(gap->head);
+      low = horizontalSlab(gap->head);
     }
     addStrip(strip, low, room_.ceilingSlab(triangle.ceiling));
   }
@@ -242,8 +242,8 @@ private:
   void addNiche(const WallGap& niche, const NicheFootprint& footprint)
   {
     const auto& [near, far] = footprint;
-    const Slab low = level(niche.sill);
-    const Slab high = level(niche.head);
+    const Slab low = horizontalSlab(niche.sill);
+    const Slab high = horizontalSlab(niche.head);
     const auto add_flat = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       scene_.addFace(
           {vertexAt(a, niche.head), vertexAt(b, niche.head), vertexAt(c, niche.head)},

@@ -83,8 +83,9 @@ facetsOf(const Vault& vault, const Loop& loop)
     Polygon band = clipped(clipped(polygon, across, to.x()), -across, -from.x());
     for (Vec2& corner : band)
       corner += vault.at;
-    facets.push_back(facetOver(
-        band, planeAt(from.y(), slope * across, vault.at + from.x() * across)));
+    facets.push_back(
+        facetOver(band, planeThrough(lifted(vault.at + from.x() * across, from.y()),
+                                     slope * across)));
   }
   return facets;
 }
@@ -110,7 +111,7 @@ facetsOf(const Dome& dome)
   std::vector<Vec2> top;
   for (int ray = 0; ray < rays; ++ray)
     top.push_back(placeAt(1, ray));
-  facets.push_back(facetOver(top, level(heightAt(1))));
+  facets.push_back(facetOver(top, horizontalSlab(heightAt(1))));
   for (int ring = 1; ring < rings; ++ring)
     for (int ray = 0; ray < rays; ++ray) {
       const std::vector<Vec2> corners{placeAt(ring + 1, ray),
@@ -122,8 +123,8 @@ facetsOf(const Dome& dome)
       const Vec2 uphill = leftOf((corners[1] - corners[0]).normalized());
       const double rise = heightAt(ring + 1) - heightAt(ring);
       const double slope = rise / (outer - inner).dot(uphill);
-      facets.push_back(
-          facetOver(corners, planeAt(heightAt(ring), slope * uphill, inner)));
+      facets.push_back(facetOver(
+          corners, planeThrough(lifted(inner, heightAt(ring)), slope * uphill)));
     }
   return facets;
 }

@@ -35,28 +35,6 @@ floorOf(const Room& room)
 
 } // namespace
 
-Slab
-planeAt(double height, const Vec2& gradient, const Vec2& place)
-{
-  const Vec3 normal = Vec3(-gradient.x(), -gradient.y(), 1.0).normalized();
-  Slab slab;
-  slab.plane << normal, -normal.dot(lifted(place, height));
-  return slab;
-}
-
-Slab
-raised(Slab slab, double distance)
-{
-  slab.plane[3] -= slab.plane[2] * distance;
-  return slab;
-}
-
-Vec2
-gradientOf(const Slab& slab)
-{
-  return -slab.plane.head<2>() / slab.plane[2];
-}
-
 Label
 labelOf(const Room& room, int detail, Layer layer)
 {

@@ -3,6 +3,8 @@
 
 #include "geometry.h"
 
+#include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_segmentation/src/shapes/shape_fit.h"
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/structure_label.h>
 
@@ -23,22 +25,20 @@ using Label = StructureLabel;
 /** @brief A floor or ceiling: a plane. */
 using Slab = PlanSlab;
 
-/** @brief Returns the plane of a height at a place.
- * @param gradient rise in metres per metre along x and y */
-Slab planeAt(double height, const Vec2& gradient, const Vec2& place);
-
-/** @brief Returns the level plane at a height. */
+/** @brief Returns the plane higher by a distance. */
 inline Slab
-level(double height)
+raised(Slab slab, double distance)
 {
-  return planeAt(height, Vec2::Zero(), Vec2::Zero());
+  slab.plane[3] -= slab.plane[2] * distance;
+  return slab;
 }
 
-/** @brief Returns the plane higher by a distance. */
-Slab raised(Slab slab, double distance);
-
 /** @brief Returns the rise of a plane in metres per metre along x and y. */
-Vec2 gradientOf(const Slab& slab);
+inline Vec2
+gradientOf(const Slab& slab)
+{
+  return -slab.plane.head<2>() / slab.plane[2];
+}
 
 /** @brief A rectangle on a wall, behind which there is a space of some depth. */
 struct WallGap {

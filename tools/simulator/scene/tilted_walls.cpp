@@ -170,7 +170,7 @@ private:
     // The plane meets the floor exactly at the foot.
     return {loopOf({face.foot.start, face.foot.end, next.head, face.head}),
             {},
-            planeAt(floor_, slope * face.inwards, face.foot.start)};
+            planeThrough(lifted(face.foot.start, floor_), slope * face.inwards)};
   }
 
   Room& room_;

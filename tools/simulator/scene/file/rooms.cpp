@@ -29,14 +29,14 @@ GivenSlab
 readSlab(const JsonView& view, const Vec2& otherwise)
 {
   if (!view.isObject())
-    return {level(view.number())};
+    return {horizontalSlab(view.number())};
   const auto given = view.find("at");
   const Vec2 at = given ? given->point2() : otherwise;
   const double slope = view.at("slope").angle(0.0, kSteepest);
   const double towards = view.at("towards").angle();
-  return {
-      planeAt(view.at("height").number(), rotated({std::tan(slope), 0.0}, towards), at),
-      at};
+  return {planeThrough(lifted(at, view.at("height").number()),
+                       rotated({std::tan(slope), 0.0}, towards)),
+          at};
 }
 
 /** @brief Reads a part of the floor or ceiling: its own plane, or parallel to @p whole.
