@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -15,25 +13,6 @@ namespace {
 
 constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
 constexpr double kInside = 1e-3;  ///< metres inside a loop, clear of its edge
-
-/** @brief Throws the sentence that the parts make up. */
-template <typename... Parts>
-[[noreturn]] void
-fail(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  throw std::invalid_argument(text.str());
-}
-
-/** @brief Returns a point as " at (x, y)". */
-std::string
-at(const Vec2& point)
-{
-  std::ostringstream text;
-  text << " at (" << point.x() << ", " << point.y() << ")";
-  return text.str();
-}
 
 /** @brief Returns sample points along the outline and all details of a room. */
 std::vector<Vec2>
@@ -74,7 +53,8 @@ checkOverlaps(const std::vector<Room>& rooms)
   for (std::size_t i = 0; i < rooms.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (const auto point = overlapOf(rooms[i], rooms[k]))
-        fail(placeOf("rooms", i), " overlaps room '", rooms[k].name, "'", at(*point));
+        fail(placeOf("rooms", i), " overlaps room '", rooms[k].name, "'",
+             placeText(*point));
 }
 
 /** @brief Checks that the far side of a gap is in no room. */
@@ -103,7 +83,7 @@ checkHole(const std::string& place, const Loop& loop, const Room& room, Layer la
   for (const Vec2& sample : samplesAlong(loop, loop.area() > 0.0 ? kInside : -kInside))
     if (!room.contains(sample) || detailAt(room, sample, layer) != first)
       fail(place, " reaches out of room '", room.name, "' or over the edge of a detail",
-           at(sample));
+           placeText(sample));
 }
 
 void
@@ -121,7 +101,8 @@ checkVoid(const Scene& scene,
   checkHole(place, hole.loop, above, Layer::Floor);
   const Vec2 inside = pointInside(hole.loop);
   if (above.floorAt(inside) < room.ceilingAt(inside) + room.plenum)
-    fail(place, " leads to room '", above.name, "', which is not above it", at(inside));
+    fail(place, " leads to room '", above.name, "', which is not above it",
+         placeText(inside));
 }
 
 void
@@ -146,15 +127,15 @@ checkStation(const Scene& scene, const Vec3& station, const std::string& name)
   const Vec2 place = plan(station);
   const std::uint32_t number = roomAt(scene, station);
   if (number == 0 || !scene.rooms[number - 1].contains(place))
-    fail(name, at(place), " is in no room");
+    fail(name, placeText(place), " is in no room");
   const Room& room = scene.rooms[number - 1];
   if (station.z() <= room.floorAt(place) || station.z() >= room.ceilingAt(place))
-    fail(name, at(place), " is not between floor and ceiling");
+    fail(name, placeText(place), " is not between floor and ceiling");
   for (const Object& object : scene.furniture)
     for (const Prism& part : object.parts)
       if (station.z() >= part.low && station.z() <= part.high &&
           loopOf(part.corners).contains(place))
-        fail(name, at(place), " is in the ", object.name);
+        fail(name, placeText(place), " is in the ", object.name);
 }
 
 } // namespace

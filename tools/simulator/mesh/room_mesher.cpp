@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 namespace pcl::sedr::sim {
@@ -11,14 +10,6 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr double kSameHeight = 1e-5; ///< metres; heights closer than this are equal
-
-[[noreturn]] void
-throwAt(const Vec2& point, const char* reason)
-{
-  std::ostringstream text;
-  text << reason << " at (" << point.x() << ", " << point.y() << ")";
-  throw std::invalid_argument(text.str());
-}
 
 /** @brief The heights at which a point of the plan has a vertex, ascending. Heights
  * that are equal up to rounding are one. */
@@ -135,7 +126,7 @@ private:
         const double high = room_.ceilingSlab(triangle.ceiling).heightAt(point);
         // At the edge of a tilted wall floor and ceiling may meet.
         if (high - low < (room_.foot.elements.empty() ? kSameHeight : -kSameHeight))
-          throwAt(point, "the ceiling is not above the floor");
+          fail("the ceiling is not above the floor", placeText(point));
         levels_[corner].insert(low);
         levels_[corner].insert(high);
       }
@@ -230,7 +221,8 @@ private:
     if (least > -kSameHeight && most < kSameHeight)
       return;
     if (least < -kSameHeight && most > kSameHeight)
-      throwAt(points_[side.a], "two parts of a floor or ceiling cross beside a riser");
+      fail("two parts of a floor or ceiling cross beside a riser",
+           placeText(points_[side.a]));
     const bool left_is_higher = most >= kSameHeight;
     const bool room_is_left = left_is_higher == (layer == Layer::Ceiling);
     Strip strip{side.a, side.b, Label::Detail};
@@ -273,8 +265,8 @@ private:
     const std::size_t last_i = level(strip.a, high);
     const std::size_t last_j = level(strip.b, high);
     if (i > last_i || j > last_j)
-      throwAt(points_[strip.a], "an opening or niche reaches beyond floor or "
-                                "ceiling, or over another");
+      fail("an opening or niche reaches beyond floor or ceiling, or over another",
+           placeText(points_[strip.a]));
     while (i < last_i || j < last_j) {
       const bool climb_b = i == last_i || (j < last_j && zb[j + 1] <= za[i + 1]);
       const auto at_a = static_cast<std::uint32_t>(first_vertex_[strip.a] + i);
@@ -299,9 +291,8 @@ private:
         ++uses[{triangles[t][k], triangles[t][(k + 1) % 3]}];
     for (const auto& [edge, count] : uses)
       if (count != 1 || uses.count({edge.second, edge.first}) == 0)
-        throwAt(sim::plan(scene_.mesh.vertices[edge.first]),
-                "parts of the floor, the ceiling or the walls touch in a "
-                "single point");
+        fail("parts of the floor, the ceiling or the walls touch in a single point",
+             placeText(sim::plan(scene_.mesh.vertices[edge.first])));
   }
 
   const Room& room_;

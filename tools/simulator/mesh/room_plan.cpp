@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace pcl::sedr::sim {
@@ -128,7 +127,7 @@ private:
       edge_of_[edges.back()] = i;
     }
     if (!triangulateConstrained(arrangement_.vertices, edges, all_))
-      throw std::invalid_argument("outlines cannot be told apart");
+      fail("outlines cannot be told apart");
   }
 
   Ends sideOf(std::size_t t, std::size_t k) const

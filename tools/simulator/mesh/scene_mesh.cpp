@@ -179,8 +179,7 @@ meshOf(const Scene& scene)
                      floor_voids[i], result);
     }
     catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(placeOf("rooms", i) +
-                                  " cannot be built: " + error.what());
+      fail(placeOf("rooms", i), " cannot be built: ", error.what());
     }
     for (std::size_t k = 0; k < room.openings.size(); ++k)
       surroundings.addReveal(room, plan, openings[i][k]);

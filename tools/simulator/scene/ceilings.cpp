@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -57,13 +56,13 @@ facetsOf(const Vault& vault, const Loop& loop)
   double high = -low;
   for (const Element& side : loop.elements) {
     if (side.isArc())
-      throw std::invalid_argument("A vault needs straight sides");
+      fail("A vault needs straight sides");
     polygon.push_back(side.start - vault.at);
     low = std::min(low, polygon.back().dot(across));
     high = std::max(high, polygon.back().dot(across));
   }
   if (std::max(high, -low) > vault.radius + kSamePoint)
-    throw std::invalid_argument("A vault does not reach the sides of its loop");
+    fail("A vault does not reach the sides of its loop");
   const FacetSteps steps = facetStepsOf(vault.radius);
   const double first = std::asin(std::max(-1.0, low / steps.radius));
   const double last = std::asin(std::min(1.0, high / steps.radius));

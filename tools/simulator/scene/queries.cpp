@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-#include <sstream>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -20,11 +17,11 @@ checkGap(const Room& room, const WallGap& gap, const std::string& place)
 {
   const auto& walls = room.boundary.elements;
   if (gap.wall >= walls.size())
-    throw std::invalid_argument(place + " lies on no wall");
+    fail(place, " lies on no wall");
   if (!(gap.from >= 0.0 && gap.from < gap.to && gap.to <= walls[gap.wall].length()))
-    throw std::invalid_argument(place + " does not lie within its wall");
+    fail(place, " does not lie within its wall");
   if (!(gap.sill < gap.head && gap.depth > 0.0))
-    throw std::invalid_argument(place + " has no height or depth");
+    fail(place, " has no height or depth");
 }
 
 double
@@ -101,11 +98,9 @@ otherSideOf(const Scene& scene, std::size_t room, std::size_t index)
     other.leads_to = room;
     return other;
   }
-  std::ostringstream reason;
-  reason << placeOf(placeOf("rooms", room) + ".openings", index) << " leads to room '"
-         << target.name << "', which has no wall there, " << opening.depth
-         << " m behind this one";
-  throw std::invalid_argument(reason.str());
+  fail(placeOf(placeOf("rooms", room) + ".openings", index), " leads to room '",
+       target.name, "', which has no wall there, ", opening.depth,
+       " m behind this one");
 }
 
 std::vector<std::vector<Opening>>
@@ -149,26 +144,23 @@ std::vector<std::size_t>
 storeysOf(const Scene& scene)
 {
   const auto& rooms = scene.rooms;
-  std::vector<std::size_t> order(rooms.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return floorOf(rooms[a]) < floorOf(rooms[b]);
-  });
+  std::vector<double> floors;
+  for (const Room& room : rooms)
+    floors.push_back(floorOf(room));
+  std::vector<double> ascending = floors;
+  std::sort(ascending.begin(), ascending.end());
   std::vector<std::size_t> storeys(rooms.size(), 1);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const double step = floorOf(rooms[order[i]]) - floorOf(rooms[order[i - 1]]);
-    storeys[order[i]] = storeys[order[i - 1]] + (step >= kStoreyStep ? 1 : 0);
-  }
   for (std::size_t i = 0; i < rooms.size(); ++i) {
-    const Room* nearest = nullptr; // in height, of those that the scene numbers
-    const auto distance = [&](const Room& other) {
-      return std::abs(floorOf(other) - floorOf(rooms[i]));
-    };
-    for (const Room& other : rooms)
-      if (other.storey && (nearest == nullptr || distance(other) < distance(*nearest)))
-        nearest = &other;
-    if (rooms[i].storey || nearest != nullptr)
-      storeys[i] = rooms[i].storey ? *rooms[i].storey : *nearest->storey;
+    for (std::size_t k = 1; k < floors.size() && ascending[k] <= floors[i]; ++k)
+      storeys[i] += ascending[k] - ascending[k - 1] >= kStoreyStep ? 1 : 0;
+    double nearest = std::numeric_limits<double>::infinity(); // of numbered rooms
+    for (std::size_t k = 0; k < rooms.size(); ++k)
+      if (const double apart = std::abs(floors[k] - floors[i]);
+          rooms[k].storey && apart < nearest) {
+        nearest = apart;
+        storeys[i] = *rooms[k].storey;
+      }
+    storeys[i] = rooms[i].storey.value_or(storeys[i]);
   }
   return storeys;
 }

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace pcl::sedr::sim {
 
@@ -49,9 +47,9 @@ private:
     };
     if (std::any_of(room_.openings.begin(), room_.openings.end(), is_tilted) ||
         std::any_of(room_.wall_niches.begin(), room_.wall_niches.end(), is_tilted))
-      throw std::invalid_argument("a tilted wall has an opening or a niche");
+      fail("a tilted wall has an opening or a niche");
     if (gradientOf(room_.floor).squaredNorm() > 0.0)
-      throw std::invalid_argument("the floor is not level");
+      fail("the floor is not level");
   }
 
   /** @brief Makes a face of every wall, and several of every tilted arc. */
@@ -90,8 +88,7 @@ private:
       const Vec2 head = faces_[(i + 1) % n].head - faces_[i].head;
       const Vec2 foot = faces_[i].foot.end - faces_[i].foot.start;
       if (faces_[i].run != 0.0 && head.dot(foot) <= 0.0)
-        throw std::invalid_argument("the head of wall " +
-                                    std::to_string(faces_[i].wall) + " has no length");
+        fail("the head of wall ", faces_[i].wall, " has no length");
     }
   }
 

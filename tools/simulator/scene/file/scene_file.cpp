@@ -34,8 +34,7 @@ parseDocument(const std::string& text)
       keys.pop_back();
     if (event == json::parse_event_t::key &&
         !keys.back().insert(value.get<std::string>()).second)
-      throw std::invalid_argument("the key " + value.dump() +
-                                  " is given twice in one object");
+      fail("the key ", value.dump(), " is given twice in one object");
     return true;
   };
   try {
@@ -44,8 +43,7 @@ parseDocument(const std::string& text)
   catch (const json::exception& error) {
     const std::string reason = error.what();
     const std::size_t start = reason.find("] "); // after the exception's number
-    throw std::invalid_argument(
-        "no JSON: " + (start == std::string::npos ? reason : reason.substr(start + 2)));
+    fail("no JSON: ", start == std::string::npos ? reason : reason.substr(start + 2));
   }
 }
 
@@ -163,7 +161,7 @@ readSceneText(const std::filesystem::path& path)
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf()))
-    throw std::invalid_argument("Cannot read the scene file " + path.string());
+    fail("Cannot read the scene file ", path.string());
   return text.str();
 }
 
@@ -180,7 +178,7 @@ parseScene(const std::string& text, const std::string& source)
     return scene;
   }
   catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(source + ": " + error.what());
+    fail(source, ": ", error.what());
   }
 }
 
@@ -205,8 +203,8 @@ sceneText(const std::string& name_or_path)
       return scene.text;
     known += (known.empty() ? "" : ", ") + scene.name;
   }
-  throw std::invalid_argument("There is no scene '" + name_or_path + "'; known are " +
-                              known + ", and files that end in .json");
+  fail("There is no scene '", name_or_path, "'; known are ", known,
+       ", and files that end in .json");
 }
 
 Scene
