@@ -83,8 +83,7 @@ private:
   {
     const auto& walls = room_->boundary.elements;
     const Element& wall = walls[view.at("wall").count(0, walls.size() - 1)];
-    const auto gap = view.find("gap");
-    const double behind = gap ? gap->number(0.0, 100.0) : kGap;
+    const double behind = view.numberOr("gap", kGap, 0.0, 100.0);
     const double first = view.at("s").number();
     std::size_t count = 1;
     double between = 0.0; // objects of a row

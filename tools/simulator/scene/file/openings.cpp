@@ -130,10 +130,8 @@ Glazing
 readGlazing(const JsonView& view)
 {
   Glazing glazing;
-  if (const auto share = view.find("return_share"))
-    glazing.return_share = share->number(0.0, 1.0);
-  if (const auto share = view.find("mirror_share"))
-    glazing.mirror_share = share->number(0.0, 1.0);
+  glazing.return_share = view.numberOr("return_share", glazing.return_share, 0.0, 1.0);
+  glazing.mirror_share = view.numberOr("mirror_share", glazing.mirror_share, 0.0, 1.0);
   if (glazing.return_share + glazing.mirror_share > 1.0)
     view.fail("has shares of more than 1 together");
   return glazing;

@@ -61,11 +61,8 @@ readDetail(const JsonView& view,
 RibFamily
 readRibFamily(const JsonView& view)
 {
-  RibFamily family;
-  family.direction = view.at("direction").angle();
-  family.spacing = view.at("spacing").number(kNarrowest);
-  family.width = view.at("width").size();
-  family.depth = view.at("depth").size();
+  RibFamily family{view.at("direction").angle(), view.at("spacing").number(kNarrowest),
+                   view.at("width").size(), view.at("depth").size()};
   if (!(family.width < family.spacing))
     view.at("width").fail("is not less than the spacing of the ribs");
   if (const auto first = view.find("first"))
@@ -87,12 +84,15 @@ readRibs(const JsonView& view, Room& room)
   std::move(ribs.begin(), ribs.end(), std::back_inserter(room.details));
 }
 
-/** @brief Reads what makes an ellipsoid of the sphere of a dome. */
-void
-readScale(const JsonView& view, Dome& dome)
+Dome
+readDome(const JsonView& view)
 {
+  Dome dome{view.at("at").point2(), view.at("height").number(),
+            view.at("radius").size(), view.at("rim").size()};
+  if (dome.rim > dome.radius)
+    view.at("rim").fail("is more than the radius of the dome");
   dome.direction = view.numberOr("direction", 0.0) * pi / 180.0;
-  if (const auto scale = view.find("scale")) {
+  if (const auto scale = view.find("scale")) { // makes an ellipsoid of the sphere
     const Vec3 factors = scale->size3();
     if (factors.maxCoeff() > 1.0)
       scale->fail("must not be more than 1");
@@ -100,44 +100,29 @@ readScale(const JsonView& view, Dome& dome)
     dome.across = factors.y();
     dome.up = factors.z();
   }
+  return dome;
 }
 
-/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a dome. */
-void
-readFacet(const JsonView& view, const GivenSlab& ceiling, Room& room)
+/** @brief Reads a part of a ceiling that is not level: a slope, a vault or a dome. */
+std::vector<PlanDetail>
+readFacets(const JsonView& view, const GivenSlab& ceiling)
 {
-  const auto append = [&](std::vector<PlanDetail> facets) {
-    room.details.insert(room.details.end(), facets.begin(), facets.end());
-  };
-  if (const auto dome = view.find("dome")) {
-    Dome cap;
-    cap.at = dome->at("at").point2();
-    cap.height = dome->at("height").number();
-    cap.radius = dome->at("radius").size();
-    cap.rim = dome->at("rim").size();
-    if (cap.rim > cap.radius)
-      dome->at("rim").fail("is more than the radius of the dome");
-    readScale(*dome, cap);
-    append(facetsOf(cap));
-    return;
+  if (const auto dome = view.find("dome"))
+    return facetsOf(readDome(*dome));
+  const auto vault = view.find("vault");
+  if (!vault) {
+    PlanDetail slope = readDetail(view, ceiling, "drop", -1);
+    slope.is_facet = true;
+    return {slope};
   }
-  if (const auto vault = view.find("vault")) {
-    Vault barrel;
-    barrel.at = vault->at("at").point2();
-    barrel.direction = vault->at("direction").angle();
-    barrel.height = vault->at("height").number();
-    barrel.radius = vault->at("radius").size();
-    try {
-      append(facetsOf(barrel, readLoop(view.at("loop"))));
-    }
-    catch (const std::invalid_argument& error) {
-      view.fail(std::string("cannot be built: ") + error.what());
-    }
-    return;
+  const Vault barrel{vault->at("at").point2(), vault->at("direction").angle(),
+                     vault->at("height").number(), vault->at("radius").size()};
+  try {
+    return facetsOf(barrel, readLoop(view.at("loop")));
   }
-  PlanDetail slope = readDetail(view, ceiling, "drop", -1);
-  slope.is_facet = true;
-  room.details.push_back(slope);
+  catch (const std::invalid_argument& error) {
+    view.fail(std::string("cannot be built: ") + error.what());
+  }
 }
 
 /** @brief Reads a hole in a ceiling; the names of all rooms must be known. */
@@ -166,10 +151,10 @@ readShell(const JsonView& view)
   room.ceiling = ceiling.slab;
   if (const auto storey = view.find("storey"))
     room.storey = storey->count(1, kMostStoreys);
-  if (const auto plenum = view.find("plenum"))
-    room.plenum = plenum->size();
+  room.plenum = view.numberOr("plenum", 0.0, JsonView::kSmallest);
   for (const JsonView& facet : view.itemsOf("facets"))
-    readFacet(facet, ceiling, room);
+    for (PlanDetail& part : readFacets(facet, ceiling))
+      room.details.push_back(std::move(part));
   for (const JsonView& ribs : view.itemsOf("ribs"))
     readRibs(ribs, room);
   for (const JsonView& detail : view.itemsOf("floor_details"))

@@ -123,10 +123,9 @@ readScanner(const JsonView& view, const Scene& scene)
   Scanner scanner;
   scanner.stations = readStations(view, scene);
   scanner.rays_per_station = view.at("rays").count(1, kMostRays);
-  if (const auto jitter = view.find("jitter"))
-    scanner.jitter = jitter->number(0.0, 1.0);
-  if (const auto range = view.find("max_range"))
-    scanner.max_range = range->size();
+  scanner.jitter = view.numberOr("jitter", scanner.jitter, 0.0, 1.0);
+  scanner.max_range =
+      view.numberOr("max_range", scanner.max_range, JsonView::kSmallest);
   scanner.noise = view.at("noise").number(0.0, 1.0);
   return scanner;
 }
