@@ -51,52 +51,35 @@ constexpr std::size_t kMostStations = 10'000;
 constexpr std::size_t kMostRays = 100'000'000;
 constexpr double kLowest = -1e5; ///< below every room
 
-/** @brief Returns the point @p s metres along a path, or its end if that is nearer. */
-Vec2
-alongPath(const std::vector<Vec2>& path, double s)
-{
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Vec2 step = path[i + 1] - path[i];
-    const double size = step.norm();
-    if (s <= size)
-      return path[i] + s / size * step;
-    s -= size;
-  }
-  return path.back();
-}
-
-/** @brief Returns stations at equal steps along a path, @p height above z = 0; they
- * sway up and down. */
-std::vector<Vec3>
-walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, double sway)
-{
-  double total = 0.0;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    total += (path[i + 1] - path[i]).norm();
-  const auto last = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
-  std::vector<Vec3> stations;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto step = static_cast<double>(i);
-    const Vec2 position = alongPath(path, total * step / last);
-    stations.push_back(lifted(position, height + sway * std::sin(2.1 * step)));
-  }
-  return stations;
-}
-
-/** @brief Reads stations along a path, at a height above the floor below them. */
+/** @brief Reads stations at equal steps along a path, at a height above the floor below
+ * them; they sway up and down. */
 std::vector<Vec3>
 readWalk(const JsonView& view, const Scene& scene)
 {
-  std::vector<Vec2> path;
-  for (const JsonView& corner : view.at("path").items(2))
-    path.push_back(corner.point2());
+  const auto corners = view.at("path").items(2);
+  std::vector<Element> legs;
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    legs.push_back(segment(corners[i].point2(), corners[i + 1].point2()));
+    total += legs.back().length();
+  }
   const std::size_t count = view.at("count").count(1, kMostStations);
-  auto stations =
-      walkAlong(path, count, view.at("height").size(), view.numberOr("sway", 0.0));
+  const double height = view.at("height").size();
+  const double sway = view.numberOr("sway", 0.0);
   const double floor = view.numberOr("floor", kLowest);
-  for (Vec3& station : stations)
-    if (const std::uint32_t room = roomAt(scene, lifted(plan(station), floor)))
-      station.z() += scene.rooms[room - 1].floorAt(plan(station));
+  std::vector<Vec3> stations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto step = static_cast<double>(i);
+    double s = total * step / static_cast<double>(std::max<std::size_t>(count, 2) - 1);
+    auto leg = legs.begin();
+    for (; leg + 1 != legs.end() && s > leg->length(); ++leg)
+      s -= leg->length();
+    const Vec2 place = leg->pointAt(std::min(s, leg->length()));
+    double z = height + sway * std::sin(2.1 * step);
+    if (const std::uint32_t room = roomAt(scene, lifted(place, floor)))
+      z += scene.rooms[room - 1].floorAt(place);
+    stations.push_back(lifted(place, z));
+  }
   return stations;
 }
 
