@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "compare/change_picture.h"
 #include "compare/comparison.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include "tool_error.h"
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <string>
 
 using namespace pcl::sedr::tools;
@@ -24,6 +25,42 @@ planOf(const std::string& path)
   return loadPlan(std::filesystem::is_directory(path, error)
                       ? (std::filesystem::path(path) / "floorplan.json").string()
                       : path);
+}
+
+constexpr Colour
+colourOf(ChangeKind kind)
+{
+  return kind == ChangeKind::Appeared   ? 0x28a046
+         : kind == ChangeKind::Vanished ? 0xd22828
+                                        : 0xf0961e;
+}
+
+/** @brief Draws both plans on top of each other, the first one faint, and the changes
+ * in colours: walls as lines; columns, details and rooms as outlines. */
+Picture
+drawChanges(const Floorplan& before,
+            const Floorplan& after,
+            const std::vector<Change>& changes)
+{
+  const Eigen::Vector2d above(0, 0.35); // metres, from the named outline
+  Panel panel("plan, the first one faint", viewOf({&before, &after}));
+  panel.addPlan(before, 1.5, colours::faint);
+  panel.addPlan(after, 1.5, colours::ink);
+  std::map<ChangeKind, std::size_t> counts;
+  for (const auto& change : changes) {
+    ++counts[change.kind];
+    panel.addLines(change.outlines, colourOf(change.kind), 3.5);
+    if (!change.outlines.empty())
+      panel.addLabel(pcl::sedr::boundsOf(change.outlines.back()).center() + above,
+                     change.what + " " + toString(change.kind));
+  }
+  Picture picture(counted(changes.size(), "change"));
+  picture.addMaps({panel});
+  for (const auto kind :
+       {ChangeKind::Appeared, ChangeKind::Vanished, ChangeKind::Moved})
+    picture.addLegend(std::string(toString(kind)) + ": " + std::to_string(counts[kind]),
+                      colourOf(kind));
+  return picture;
 }
 
 /** @brief The options of the command line. */

@@ -46,7 +46,7 @@ TEST_P(LabelledStoreys, haveTheRoomsAndWallsThatWereScanned)
   }
   double true_area = 0;
   for (const sim::Room& room : scene.rooms)
-    true_area += room.outline.area();
+    true_area += room.boundary.area();
   EXPECT_EQ(walls, GetParam().walls);
   EXPECT_NEAR(area, true_area, 0.002 * true_area);
   const auto figures =

@@ -54,12 +54,10 @@ protected:
     ASSERT_TRUE(found != plan().rooms.end())
         << "no room around the scanner in " << room.name;
     const double lift = scene_.placement.shift.z();
-    EXPECT_NEAR(found->ceilingAt(at.head<2>()), sim::ceilingAbove(room, place) + lift,
-                0.01)
+    EXPECT_NEAR(found->ceilingAt(at.head<2>()), room.ceilingAt(place) + lift, 0.01)
         << room.name;
-    if (sim::regionAt(room, place, sim::Layer::Floor) == sim::kMain) {
-      EXPECT_NEAR(found->floorAt(at.head<2>()), sim::floorBelow(room, place) + lift,
-                  0.01)
+    if (room.contains(place) && room.floorDetailAt(place) < 0) {
+      EXPECT_NEAR(found->floorAt(at.head<2>()), room.floorAt(place) + lift, 0.01)
           << room.name;
     }
   }
@@ -92,7 +90,7 @@ TEST_P(Storeys, keepTheirRoomsWallsAndHeightsWhereTheyAreOpenToEachOther)
   EXPECT_LE(plan().rooms.size(), GetParam().max_rooms);
   double true_area = 0;
   for (const sim::Room& room : scene_.rooms)
-    true_area += room.outline.area();
+    true_area += room.boundary.area();
   double area = 0;
   for (const pcl::sedr::PlanRoom& room : plan().rooms)
     area += room.area();

@@ -53,14 +53,10 @@ Eigen::AlignedBox3d
 boundsOf(const Object& object)
 {
   Eigen::AlignedBox3d bounds;
-  for (const Box& box : object.boxes)
-    for (const double sign : {-0.5, 0.5})
-      bounds.extend(box.center + lifted(rotated(sign * plan(box.size), box.yaw),
-                                        sign * box.size.z()));
-  for (const Cylinder& c : object.cylinders) {
-    bounds.extend(c.base - Vec3(c.radius, c.radius, 0));
-    bounds.extend(c.base + Vec3(c.radius, c.radius, c.height));
-  }
+  for (const Prism& part : object.parts)
+    for (const Vec2& corner : part.corners)
+      for (const double z : {part.low, part.high})
+        bounds.extend(lifted(corner, z));
   return bounds;
 }
 
@@ -80,9 +76,9 @@ TEST(SceneFile, placesObjectsByPointWallRowAndGroup)
       })"));
   const auto expect = [&](std::size_t i, Vec3 low, Vec3 high) {
     const Eigen::AlignedBox3d bounds = boundsOf(scene.furniture.at(i));
-    EXPECT_LT((bounds.min() - low).norm(), 1e-9)
+    EXPECT_LT((bounds.min() - low).norm(), kCurveTolerance)
         << i << ": " << bounds.min().transpose();
-    EXPECT_LT((bounds.max() - high).norm(), 1e-9)
+    EXPECT_LT((bounds.max() - high).norm(), kCurveTolerance)
         << i << ": " << bounds.max().transpose();
   };
   expect(0, {0.8, 0.5, 0.1}, {1.2, 1.5, 0.9});

@@ -35,7 +35,7 @@ struct SheetPath {
 };
 
 /** @brief Filled boxes of one colour without seams between them, such as cells and
- * points. */
+ * points; each is at least a unit of the sheet wide and high. */
 struct SheetBoxes {
   SheetColour fill = ink;
   std::vector<Eigen::AlignedBox2d> boxes;
@@ -60,16 +60,19 @@ struct SheetGroup {
   std::string name; ///< such as "room_1"; may be empty
 };
 
-/** @brief What follows is seen only within the box; an empty box ends that. */
-struct SheetClip {
+/** @brief Paths and boxes that follow are in the coordinates of `view`, which fills
+ * `box` of the sheet, and are seen only there; texts and widths of lines stay in those
+ * of the sheet. Both have the same proportions. An empty box or a group ends that. */
+struct SheetView {
   Eigen::AlignedBox2d box;
+  Eigen::AlignedBox2d view;
 };
 
 /** @brief A drawing for any format: items in the order in which they are drawn. x runs
  * to the right from the left edge, y upwards. The unit is a millimetre of paper
  * for SVG and PDF; for PNG it is a pixel. */
 struct Sheet {
-  using Item = std::variant<SheetPath, SheetBoxes, SheetText, SheetGroup, SheetClip>;
+  using Item = std::variant<SheetPath, SheetBoxes, SheetText, SheetGroup, SheetView>;
 
   Eigen::Vector2d size = Eigen::Vector2d::Zero();
   double bottom = 0; ///< y of the lower edge

@@ -49,6 +49,7 @@ public:
                bool with_texts)
       : cairo_(cairo_create(surface), &cairo_destroy)
       , top_(sheet.bottom + sheet.size.y())
+      , origin_(0, top_)
       , with_texts_(with_texts)
   {
     cairo_scale(cairo_.get(), scale, scale);
@@ -100,7 +101,7 @@ public:
     setColour(boxes.fill);
     cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
     for (const Eigen::AlignedBox2d& box : boxes.boxes) {
-      addBox(box);
+      addBox(box, 1);
       cairo_fill(cairo_.get()); // one by one: Cairo would unite them first
     }
     cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_DEFAULT);
@@ -135,13 +136,18 @@ public:
 
   void operator()(const SheetGroup&) {}
 
-  void operator()(const SheetClip& clip)
+  void operator()(const SheetView& map)
   {
     cairo_reset_clip(cairo_.get());
-    if (clip.box.isEmpty())
+    origin_ = {0, top_};
+    zoom_ = 1;
+    if (map.box.isEmpty())
       return;
-    addBox(clip.box);
+    addBox(map.box);
     cairo_clip(cairo_.get());
+    const double zoom = map.box.sizes().x() / map.view.sizes().x();
+    origin_ = at(map.box.min() - zoom * map.view.min());
+    zoom_ = zoom;
   }
 
 private:
@@ -150,31 +156,40 @@ private:
     cairo_set_source_rgb(cairo_.get(), ((colour >> 16) & 0xff) / 255.0,
                          ((colour >> 8) & 0xff) / 255.0, (colour & 0xff) / 255.0);
   }
-  void moveTo(const Eigen::Vector2d& p)
+  /** @brief Returns a place in the coordinates of the surface. */
+  Eigen::Vector2d at(const Eigen::Vector2d& place) const
   {
-    cairo_move_to(cairo_.get(), p.x(), top_ - p.y());
+    return {origin_.x() + zoom_ * place.x(), origin_.y() - zoom_ * place.y()};
   }
-  void lineTo(const Eigen::Vector2d& p)
+  void moveTo(const Eigen::Vector2d& place)
   {
-    cairo_line_to(cairo_.get(), p.x(), top_ - p.y());
+    cairo_move_to(cairo_.get(), at(place).x(), at(place).y());
+  }
+  void lineTo(const Eigen::Vector2d& place)
+  {
+    cairo_line_to(cairo_.get(), at(place).x(), at(place).y());
   }
   void arcTo(const PlanElement& e)
   {
     const Eigen::Vector2d from = e.start - e.centre;
     const double start = -std::atan2(from.y(), from.x()); // as y points down
     const double sweep = -e.sweep();
-    (sweep < 0 ? cairo_arc_negative : cairo_arc)(cairo_.get(), e.centre.x(),
-                                                 top_ - e.centre.y(), e.radius, start,
-                                                 start + sweep);
+    const Eigen::Vector2d centre = at(e.centre);
+    (sweep < 0 ? cairo_arc_negative : cairo_arc)(
+        cairo_.get(), centre.x(), centre.y(), zoom_ * e.radius, start, start + sweep);
   }
-  void addBox(const Eigen::AlignedBox2d& box)
+  /** @param thinnest width and height, at least */
+  void addBox(const Eigen::AlignedBox2d& box, double thinnest = 0)
   {
-    cairo_rectangle(cairo_.get(), box.min().x(), top_ - box.max().y(), box.sizes().x(),
-                    box.sizes().y());
+    const Eigen::Vector2d size = (zoom_ * box.sizes()).cwiseMax(thinnest);
+    const Eigen::Vector2d low = at(box.min());
+    cairo_rectangle(cairo_.get(), low.x(), low.y() - size.y(), size.x(), size.y());
   }
 
   Context cairo_;
   double top_;
+  Eigen::Vector2d origin_; ///< of the coordinates of shapes, on the surface
+  double zoom_ = 1;        ///< of these coordinates
   bool with_texts_;
 };
 

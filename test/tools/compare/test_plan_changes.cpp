@@ -138,6 +138,21 @@ TEST(StoreysCompare, ARoomIsNotReplacedByOneThatLiesAboveIt)
   EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_3"});
 }
 
+TEST(StoreysCompare, ARoomIsComparedWithTheOneThatSharesMostOfItsHeight)
+{
+  const auto with_upper_floor = [](double height) {
+    Floorplan plan{{boxRoomOf(1, 0, 0, 5, 4.5), boxRoomOf(2, 0, 0, 5, 4.5)}};
+    plan.rooms[0].details.push_back({rectangle(0, 3.7, 5, 4.5), {}, slabAt(2.4)});
+    plan.rooms[1].floor = slabAt(height);
+    plan.rooms[1].ceiling = slabAt(6);
+    return plan;
+  };
+  EXPECT_EQ(told(with_upper_floor(2.9), with_upper_floor(1.9)),
+            Lines{"moved floor by 1.00 m (z -1.00), 22.50 m2: room_2_floor -> "
+                  "room_2_floor"})
+      << "nothing of the room below, into which the upper one reaches";
+}
+
 PlanOpening
 doorAt(double y)
 {

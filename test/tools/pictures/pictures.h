@@ -9,21 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-namespace pcl::sedr::tools {
-
-inline std::ostream&
-operator<<(std::ostream& stream, Colour c)
-{
-  return stream << '(' << int{c.red} << ", " << int{c.green} << ", " << int{c.blue}
-                << ')';
-}
-
-} // namespace pcl::sedr::tools
 
 namespace programs {
 
@@ -57,7 +45,7 @@ imageOf(std::string png)
     for (int x = 0; x < image.width; ++x) {
       const auto* p = static_cast<const std::uint8_t*>(
           reader->GetOutput()->GetScalarPointer(x, y, 0));
-      image.pixels.push_back({p[0], p[1], p[2]});
+      image.pixels.push_back(p[0] << 16 | p[1] << 8 | p[2]);
     }
   return image;
 }
@@ -80,11 +68,11 @@ colourAt(const Panel& panel, const Eigen::Vector2d& place)
 {
   pcl::sedr::Sheet sheet;
   sheet.size = {600, 600};
-  panel.draw(sheet, Box(Eigen::Vector2d::Zero(), sheet.size));
   const Box view = panel.view();
+  const double scale = 600 / view.sizes().maxCoeff();
+  panel.draw({0, 0}, scale, sheet);
   EXPECT_TRUE(view.contains(place)) << place.transpose();
-  const Eigen::Vector2d at =
-      (place - view.min()).cwiseQuotient(view.sizes()).cwiseProduct(sheet.size);
+  const Eigen::Vector2d at = scale * (place - view.min());
   return imageOf(pcl::sedr::sheetPng(sheet))
       .at(static_cast<int>(at.x()), static_cast<int>(600 - at.y()));
 }

@@ -10,15 +10,20 @@ namespace {
 using namespace programs;
 using Eigen::Vector2d;
 
-constexpr Colour red{255, 0, 0};
-constexpr Colour blue{0, 0, 255};
+constexpr Colour red = 0xff0000;
+constexpr Colour blue = 0x0000ff;
+
+Box
+box(double x0, double y0, double x1, double y1)
+{
+  return {Vector2d(x0, y0), Vector2d(x1, y1)};
+}
 
 TEST(Panel, ShowsACellWhereItIsAndLaterShapesOverEarlier)
 {
-  Panel panel("");
+  Panel panel("", box(-1, -1, 2, 2));
   panel.addCells(block(0, 9, 0, 9), 0.1, red);
   panel.addCells(unite(block(2, 3, 7, 7), block(-5, -3, -2, -2)), 0.1, blue);
-  panel.setView({Vector2d(-1, -1), Vector2d(2, 2)});
   EXPECT_EQ(colourAt(panel, {0.25, 0.75}), blue);
   EXPECT_EQ(colourAt(panel, {0.35, 0.75}), blue);
   EXPECT_EQ(colourAt(panel, {0.45, 0.75}), red);
@@ -30,16 +35,15 @@ TEST(Panel, ShowsACellWhereItIsAndLaterShapesOverEarlier)
 
 TEST(Panel, CellsSideBySideHaveNoSeam)
 {
-  Panel panel("");
+  Panel panel("", box(0, 0, 7, 7));
   panel.addCells(block(0, 6, 0, 6), 1, red); // of 85.7 pixels
-  panel.setView({Vector2d(0, 0), Vector2d(7, 7)});
   for (int row = 1; row < 7; ++row)
     EXPECT_EQ(colourAt(panel, {3.2, row}), red) << row;
 }
 
-TEST(Panel, DrawsSegmentsAndArcsOfALoopEachInItsColour)
+TEST(Panel, DrawsSegmentsAndArcsOfARoomEachInItsColour)
 {
-  pcl::sedr::PlanLoop half_disc;
+  pcl::sedr::Floorplan plan{{{}}};
   pcl::sedr::PlanElement chord;
   chord.start = {-1, 0};
   chord.end = {1, 0};
@@ -47,14 +51,15 @@ TEST(Panel, DrawsSegmentsAndArcsOfALoopEachInItsColour)
   arc.start = {1, 0};
   arc.end = {-1, 0};
   arc.radius = 1;
-  half_disc.elements = {chord, arc};
-  Panel panel("");
-  panel.addLoop(half_disc, red, blue, 6);
-  panel.setView({Vector2d(-2, -2), Vector2d(2, 2)});
-  EXPECT_EQ(colourAt(panel, {0, 0}), red);
-  EXPECT_EQ(colourAt(panel, {0, 1}), blue);
-  EXPECT_EQ(colourAt(panel, {std::sqrt(0.5), std::sqrt(0.5)}), blue);
+  plan.rooms[0].boundary.elements = {chord, arc};
+  Panel panel("", box(-2, -2, 2, 2));
+  panel.addPlan(plan, 6);
+  EXPECT_EQ(colourAt(panel, {0, 0}), colours::ink);
+  EXPECT_EQ(colourAt(panel, {0, 1}), colours::arc);
+  EXPECT_EQ(colourAt(panel, {std::sqrt(0.5), std::sqrt(0.5)}), colours::arc);
   EXPECT_EQ(colourAt(panel, {0, 0.5}), colours::paper);
+  panel.addPlan(plan, 6, red);
+  EXPECT_EQ(colourAt(panel, {0, 1}), red);
 }
 
 TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
@@ -72,11 +77,11 @@ TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
 
 TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
 {
-  Panel map("map");
+  Panel map("map", box(-0.1, -0.1, 2.1, 1.6));
   map.addCells(block(0, 39, 0, 29), 0.05, colours::ceiling);
   map.addLabel({1, 0.7}, "1");
-  Panel other("other");
-  other.addBoxes({Box(Vector2d(0, 0), Vector2d(2, 3))}, colours::floor);
+  Panel other("other", box(-0.1, -0.1, 2.1, 3.1));
+  other.addBoxes({box(0, 0, 2, 3)}, colours::floor);
   Picture picture("A picture");
   picture.addMaps({map, map, map});
   picture.addMaps({other, map});
@@ -94,21 +99,39 @@ TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
 
 TEST(Picture, OfAFlatBuildingHasItsMapsBelowEachOther)
 {
-  const auto rowsOf = [](const pcl::sedr::CellSet& cells) {
-    Panel panel("");
-    panel.addCells(cells, 0.05, colours::ceiling);
+  const auto aspectOf = [](double width, double height) {
     Picture picture("");
-    picture.addMaps({panel, panel, panel});
-    return picture.rows().size();
+    picture.addMaps(std::vector<Panel>(3, Panel("", box(0, 0, width, height))));
+    const Image image = imageOf(picture.png());
+    EXPECT_LE(image.width, 1200);
+    EXPECT_LE(image.height, 1000);
+    return static_cast<double>(image.width) / image.height;
   };
-  EXPECT_EQ(rowsOf(block(0, 799, 0, 39)), 3u);
-  EXPECT_EQ(rowsOf(block(0, 39, 0, 399)), 1u);
+  EXPECT_LT(aspectOf(40, 2), 6) << "three rows of 1,168 by 58 pixels";
+  EXPECT_NEAR(aspectOf(2, 20), 0.6, 0.1) << "one row of three maps";
+  EXPECT_GT(aspectOf(4, 4), 2) << "one row";
+}
+
+TEST(Picture, ShowsItsMapsAtOneScale)
+{
+  Picture picture("");
+  std::vector<Panel> maps{Panel("", box(0, 0, 8, 3)), Panel("", box(5, 5, 7, 8))};
+  maps[0].addBoxes({box(1, 1, 2, 2)}, red);
+  maps[1].addBoxes({box(5.5, 6, 6.5, 7)}, blue);
+  picture.addMaps(maps);
+  const Image image = imageOf(picture.png());
+  const auto count = [&](Colour colour) {
+    return static_cast<double>(
+        std::count(image.pixels.begin(), image.pixels.end(), colour));
+  };
+  EXPECT_GT(count(red), 100 * 100);
+  EXPECT_NEAR(count(red) / count(blue), 1, 0.03);
 }
 
 TEST(Picture, OfNothingIsStillAPicture)
 {
   Picture empty("an empty map");
-  empty.addMaps({Panel("empty")});
+  empty.addMaps({Panel("empty", {})});
   EXPECT_GT(imageOf(empty.png()).height, imageOf(Picture("nothing").png()).height);
 }
 

@@ -26,30 +26,31 @@ at(int x, int y)
   return CellGrid(cell).centre({x, y});
 }
 
-/** Adds points of a label to the cells of a block. */
+/** Adds points of a label, before and after a stage, to the cells of a block. */
 void
-add(LabelCounts& counts, StructureLabel label, const CellSet& cells, std::size_t points)
+add(CellChanges& changes,
+    StructureLabel label,
+    const CellSet& cells,
+    std::size_t before,
+    std::size_t after)
 {
-  for (const CellKey key : cells.keys())
-    counts[label][key] += points;
+  for (const CellKey key : cells.keys()) {
+    changes[key][0][static_cast<std::size_t>(label)] += before;
+    changes[key][1][static_cast<std::size_t>(label)] += after;
+  }
 }
 
 TEST(LabelPicture, ShowsWhatCameAndWhatWent)
 {
-  LabelCounts before, after;
-  add(before, StructureLabel::Floor, block(0, 24, 0, 29), 2);
-  add(before, StructureLabel::Floor, block(45, 59, 0, 9), 2);
-  add(before, StructureLabel::Other, block(60, 69, 0, 29), 2);
-  after = before;
-  const CellSet gone = block(45, 59, 0, 9);
-  for (const CellKey key : gone.keys())
-    after[StructureLabel::Floor].erase(key);
-  add(after, StructureLabel::Floor, block(25, 39, 0, 29), 1);
-  add(after, StructureLabel::Floor, block(0, 4, 0, 29), 3); // 3 of 5 are new
-  add(after, StructureLabel::Wall, block(0, 69, 30, 31), 1);
-  add(before, StructureLabel::Ceiling, block(0, 39, 0, 29), 1);
-  add(after, StructureLabel::Ceiling, block(0, 39, 0, 29), 1);
-  const Picture picture = drawLabels(before, after);
+  CellChanges changes;
+  add(changes, StructureLabel::Floor, block(5, 24, 0, 29), 2, 2);
+  add(changes, StructureLabel::Floor, block(0, 4, 0, 29), 2, 5); // 3 of 5 are new
+  add(changes, StructureLabel::Floor, block(45, 59, 0, 9), 2, 0);
+  add(changes, StructureLabel::Floor, block(25, 39, 0, 29), 0, 1);
+  add(changes, StructureLabel::Other, block(60, 69, 0, 29), 2, 2);
+  add(changes, StructureLabel::Wall, block(0, 69, 30, 31), 0, 1);
+  add(changes, StructureLabel::Ceiling, block(0, 39, 0, 29), 1, 1);
+  const Picture picture = drawLabels(changes);
   EXPECT_EQ(colourAt(picture, 0, at(10, 5)), colours::floor) << "ceilings are the same";
   EXPECT_EQ(colourAt(picture, 0, at(30, 5)), colours::recovered);
   EXPECT_EQ(colourAt(picture, 0, at(50, 5)), colours::removed);
@@ -66,10 +67,13 @@ TEST(LabelPicture, CountsFinitePointsByLabelAndCell)
        {std::pair(0.01F, 2U), {0.02F, 2U}, {0.06F, 9U}, {NAN, 2U}}) {
     cloud.push_back({x, 0.01F, 0, label});
   }
-  LabelCounts counts = labelCountsOf(sedr_test::RowsInPieces(cloud));
-  EXPECT_EQ(counts.size(), 2u);
-  EXPECT_EQ(counts[StructureLabel::Floor][keyOf({0, 0})], 2u);
-  EXPECT_EQ(counts[StructureLabel::Other][keyOf({1, 0})], 1u) << "no such label";
+  CellChanges changes;
+  countLabels(sedr_test::RowsInPieces(cloud), 1, changes);
+  EXPECT_EQ(changes.size(), 2u);
+  const LabelCounts floor{{{}, {0, 0, 2, 0, 0, 0}}};
+  const LabelCounts other{{{}, {1, 0, 0, 0, 0, 0}}};
+  EXPECT_EQ(changes[keyOf({0, 0})], floor);
+  EXPECT_EQ(changes[keyOf({1, 0})], other) << "no such label";
 }
 
 /** Adds profiles of a room with air from the floor to `ceiling`. */
@@ -104,11 +108,10 @@ TEST(RoomPicture, ShowsRoomsByStoreyWhatWasHiddenOfThemAndTheirHeights)
   const Colour other = colourAt(picture, 0, at(40, 2));
   const Colour hidden = colourAt(picture, 0, at(55, 26));
   EXPECT_NE(one, other);
-  EXPECT_LT(hidden.red + hidden.green + hidden.blue,
-            other.red + other.green + other.blue);
+  EXPECT_EQ(hidden, darkened(other, 0.25));
   EXPECT_EQ(colourAt(picture, 0, at(30, 2)), colours::paper);
   EXPECT_NE(colourAt(picture, 2, at(30, 2)), colours::paper) << "of the upper storey";
-  EXPECT_LT(colourAt(picture, 1, at(2, 2)).green, colourAt(picture, 1, at(40, 2)).green)
+  EXPECT_LT(colourAt(picture, 1, at(2, 2)), colourAt(picture, 1, at(40, 2)))
       << "the lower ceiling is darker";
 }
 

@@ -19,8 +19,7 @@ colourAt(vtkPolyData* shape, vtkIdType i)
 {
   double rgb[3];
   shape->GetPointData()->GetScalars()->GetTuple(i, rgb);
-  return {static_cast<std::uint8_t>(rgb[0]), static_cast<std::uint8_t>(rgb[1]),
-          static_cast<std::uint8_t>(rgb[2])};
+  return static_cast<Colour>(rgb[0] * 65536 + rgb[1] * 256 + rgb[2]);
 }
 
 std::set<std::string>
@@ -40,7 +39,7 @@ highest(vtkPolyData* shape)
 
 TEST(Palette, OfDistancesIsFromBlueToRedAndItsTextShort)
 {
-  EXPECT_EQ(distanceColour(0, 0.05), (Colour{44, 90, 200}));
+  EXPECT_EQ(distanceColour(0, 0.05), 0x2c5ac8);
   EXPECT_EQ(distanceColour(0.05, 0.05), distanceColour(7, 0.05)) << "red from there on";
   EXPECT_EQ(distanceColour(std::nan(""), 0.05), colours::other);
   EXPECT_EQ(distanceText(0.003), "0.3 cm");

@@ -53,6 +53,26 @@ toString(ChangeKind kind)
   return names[static_cast<std::size_t>(kind)];
 }
 
+Change
+changeOf(const Element& element, ChangeKind kind)
+{
+  Change change{kind, element.what};
+  (kind == ChangeKind::Appeared ? change.after : change.before) = {element.name};
+  change.size = element.size;
+  change.outlines = {element.outline};
+  return change;
+}
+
+Change
+moveOf(const Element& before, const Element& after)
+{
+  Change change = changeOf(before, ChangeKind::Moved);
+  change.after = {after.name};
+  change.shift = after.middle - before.middle;
+  change.outlines = {after.outline};
+  return change;
+}
+
 std::vector<Change>
 comparePlans(const Floorplan& before,
              const Floorplan& after,
@@ -61,8 +81,8 @@ comparePlans(const Floorplan& before,
   constexpr double rounding = 1e-6; // metres: what is off by the tolerance is within it
   CompareSettings settings = given;
   settings.tolerance += rounding;
-  const RoomChanges rooms = roomChanges(before, after);
-  std::vector<Change> changes = rooms.changes;
+  const std::vector<Change> rooms = roomChanges(before, after);
+  std::vector<Change> changes = rooms;
   const auto add = [&](const std::vector<Change>& more) {
     changes.insert(changes.end(), more.begin(), more.end());
   };
@@ -76,7 +96,9 @@ comparePlans(const Floorplan& before,
 std::string
 describe(const Change& change)
 {
-  const bool is_opening = change.names().front().rfind("opening_", 0) == 0;
+  const bool is_opening =
+      (change.before.empty() ? change.after : change.before)[0].rfind("opening_", 0) ==
+      0;
   std::string text = std::string(!is_opening ? toString(change.kind)
                                  : change.kind == ChangeKind::Appeared ? "cut"
                                                                        : "bricked up") +

@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "change.h"
+#include "comparison.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace pcl::sedr::tools {
 
-/** @brief Rooms that appeared or vanished: less than half of their floor is floor in
- * the other plan. */
-struct RoomChanges {
-  std::vector<Change> changes;
-  std::vector<std::uint32_t> before; ///< ids of rooms that vanished
-  std::vector<std::uint32_t> after;  ///< ids of rooms that appeared
+/** @brief The distance of elements that cannot be the same. */
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/** @brief A room, wall, column, slab or opening of a plan. */
+struct Element {
+  std::string what{};
+  std::string name{}; ///< as in a solid
+  PlanLoop outline{};
+  double size = 0; ///< see Change
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  RoomHeights heights{}; ///< of its room
 };
 
-RoomChanges roomChanges(const Floorplan& before, const Floorplan& after);
+/** @brief Returns the change of one element, before or after. */
+Change changeOf(const Element& element, ChangeKind kind);
+
+/** @brief Returns the move of an element, by that of its middle. */
+Change moveOf(const Element& before, const Element& after);
+
+/** @brief Finds rooms that appeared or vanished: less than half of their floor is floor
+ * in the other plan. */
+std::vector<Change> roomChanges(const Floorplan& before, const Floorplan& after);
 
 /** @brief Finds walls that moved, appeared or vanished, by the positions of their faces
  * only. A wall that became longer or belongs to another room is not reported. Equal
  * changes of both faces of a partition are merged, as are neighbours in a room's
  * outline that appear or vanish together.
- * @param rooms whose walls are ignored */
+ * @param rooms that appeared or vanished, whose walls are ignored */
 std::vector<Change> wallChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings,
-                                const RoomChanges& rooms);
+                                const std::vector<Change>& rooms);
 
 /** @brief Finds columns that moved, appeared or vanished. A column that only changed
  * its size, or became part of the walls, is not reported. */
@@ -49,18 +65,18 @@ std::vector<Change> openingChanges(const Floorplan& before,
                                    const Floorplan& after,
                                    const CompareSettings& settings);
 
-/** @brief Pairs the things of two lists, the nearest ones first, and removes them from
- * their lists.
- * @param distance of a thing of each list; infinite if they cannot be the same
+/** @brief Pairs the elements of two lists, the nearest ones first, and removes them
+ * from their lists.
+ * @param distance of an element of each list
  * @param farthest distance of a pair, excluded */
-template <typename ThingT, typename DistanceT>
-std::vector<std::pair<ThingT, ThingT>>
-takePairs(std::vector<ThingT>& before,
-          std::vector<ThingT>& after,
+template <typename ElementT, typename DistanceT>
+std::vector<std::pair<ElementT, ElementT>>
+takePairs(std::vector<ElementT>& before,
+          std::vector<ElementT>& after,
           double farthest,
           const DistanceT& distance)
 {
-  std::vector<std::pair<ThingT, ThingT>> pairs;
+  std::vector<std::pair<ElementT, ElementT>> pairs;
   while (true) {
     double least = farthest;
     auto a_best = before.end();

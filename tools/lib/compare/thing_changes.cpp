@@ -1,73 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Columns and openings are compared by their places.
 #include "element_changes.h"
 
+#include "sedr_filters/src/plan/plan_arcs.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
-#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
-/** @brief A column or an opening of a plan. */
-struct Thing {
-  std::string what;
-  std::string name;       ///< as in a solid
-  Eigen::Vector3d middle; ///< metres
-  double area = 0;        ///< square metres
-  RoomHeights heights;    ///< of the room of a column
-  PlanLoop outline;
-  const PlanOpening* opening = nullptr;
-};
-
-std::vector<Thing>
+std::vector<Element>
 columnsOf(const Floorplan& plan)
 {
-  std::vector<Thing> columns;
+  std::vector<Element> columns;
   for (const auto& room : plan.rooms)
-    for (std::size_t k = 0; k < room.columns.size(); ++k) {
-      const Eigen::Vector2d centre = boundsOf(room.columns[k]).center();
+    for (const PlanLoop& column : room.columns) {
+      const Eigen::Vector2d centre = boundsOf(column).center();
+      const std::size_t number = static_cast<std::size_t>(&column - &room.columns[0]);
       columns.push_back(
           {"column",
-           "room_" + std::to_string(room.id) + "_column_" + std::to_string(k + 1),
+           "room_" + std::to_string(room.id) + "_column_" + std::to_string(number + 1),
+           column,
+           std::abs(column.area()),
            {centre.x(), centre.y(), 0},
-           std::abs(room.columns[k].area()),
-           heightsOf(room),
-           room.columns[k]});
+           heightsOf(room)});
     }
   return columns;
 }
 
 /** @brief Returns the distance of two columns; infinite if they are not alike. */
 double
-columnsApart(const Thing& a, const Thing& b)
+columnsApart(const Element& a, const Element& b)
 {
   constexpr double max_ratio = 2; // of areas; hidden sides are inferred
-  const bool is_alike = a.area < max_ratio * b.area && b.area < max_ratio * a.area &&
+  const bool is_alike = a.size < max_ratio * b.size && b.size < max_ratio * a.size &&
                         shareHeights(a.heights, b.heights);
   return is_alike ? (a.middle - b.middle).norm() : never;
 }
 
-std::vector<Thing>
+/** @brief Returns the openings of a plan; the heights are their own. */
+std::vector<Element>
 openingsOf(const Floorplan& plan)
 {
-  std::vector<Thing> openings;
-  for (std::size_t k = 0; k < plan.openings.size(); ++k) {
-    const PlanOpening& o = plan.openings[k];
+  std::vector<Element> openings;
+  for (const PlanOpening& o : plan.openings) {
     const Eigen::Vector2d place = (o.start + o.end) / 2;
+    const std::size_t number = static_cast<std::size_t>(&o - &plan.openings[0]);
     openings.push_back({nameOf(o.kind),
-                        "opening_" + std::to_string(k + 1),
-                        {place.x(), place.y(), (o.bottom + o.top) / 2},
-                        o.width() * o.height(),
-                        {},
+                        "opening_" + std::to_string(number + 1),
                         {{segment(o.start, o.end)}},
-                        &o});
+                        o.width() * o.height(),
+                        {place.x(), place.y(), (o.bottom + o.top) / 2},
+                        {o.bottom, o.top}});
   }
   return openings;
 }
@@ -75,60 +63,62 @@ openingsOf(const Floorplan& plan)
 /** @brief Returns the distance of the middles of two openings; infinite if they do not
  * share a part of a wall. */
 double
-openingsApart(const Thing& a, const Thing& b)
+openingsApart(const Element& a, const Element& b)
 {
   constexpr double max_sine = 0.26;  // between their walls: 15 degrees
   constexpr double max_across = 0.5; // metres, between walls that face each other
   constexpr double max_moved = 0.8;  // of a wall; the other side of a corridor is more
-  const PlanOpening& o = *a.opening;
-  const Eigen::Vector2d way = (o.end - o.start).normalized();
-  const Eigen::Vector2d other = (b.opening->end - b.opening->start).normalized();
+  const PlanElement& o = a.outline.elements[0];
+  const PlanElement& p = b.outline.elements[0];
+  const Eigen::Vector2d normal = o.normalAt(0);
+  const Eigen::Vector2d other = p.normalAt(0);
   const Eigen::Vector3d off = b.middle - a.middle;
+  const double across = std::abs(normal.dot(off.head<2>()));
+  const double along = std::abs(cross(normal, off.head<2>()));
   const bool share =
-      std::abs(way.x() * other.y() - way.y() * other.x()) < max_sine &&
-      std::abs(way.x() * off.y() - way.y() * off.x()) <
-          (way.dot(other) > 0 ? max_moved : max_across) &&
-      2 * std::abs(off.head<2>().dot(way)) < o.width() + b.opening->width() &&
-      2 * std::abs(off.z()) < o.height() + b.opening->height();
+      std::abs(cross(normal, other)) < max_sine &&
+      across < (normal.dot(other) > 0 ? max_moved : max_across) &&
+      2 * along < o.length() + p.length() &&
+      std::max(a.heights.low, b.heights.low) < std::min(a.heights.high, b.heights.high);
   return share ? off.norm() : never;
 }
 
-/** @brief Returns whether a plan has a wall where an opening is. */
+/** @brief Returns whether a plan has a wall where an opening of known kind is. */
 bool
-hasWallAt(const Floorplan& plan, const Eigen::Vector3d& middle)
+hasWallOf(const Element& opening, const Floorplan& plan)
 {
   constexpr double near = 0.5; // of the middle of the wall, metres
-  return std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
-    const RoomHeights heights = heightsOf(room);
-    return heights.low < middle.z() && middle.z() < heights.high &&
-           room.boundary.distance(middle.head<2>()) < near;
-  });
+  const double height = opening.middle.z();
+  return opening.what != nameOf(OpeningKind::Unknown) &&
+         std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+           const RoomHeights heights = heightsOf(room);
+           return heights.low < height && height < heights.high &&
+                  room.boundary.distance(opening.middle.head<2>()) < near;
+         });
 }
 
-/** @brief Returns whether a plan has the place where a thing could be. */
+/** @brief Returns whether a plan has a room where a column is. */
 bool
-hasPlaceOf(const Thing& thing, const Floorplan& plan)
+hasRoomOf(const Element& column, const Floorplan& plan)
 {
-  if (thing.opening)
-    return thing.opening->kind != OpeningKind::Unknown && hasWallAt(plan, thing.middle);
-  const auto rooms = roomsAt(plan, thing.heights);
+  const auto rooms = roomsAt(plan, column.heights);
   return std::any_of(rooms.begin(), rooms.end(), [&](const PlanRoom* room) {
-    return room->contains(thing.middle.head<2>());
+    return room->contains(column.middle.head<2>());
   });
 }
 
+/** @brief Adds those elements whose places the other plan has. */
+template <typename HasPlaceT>
 void
-addSingles(const std::vector<Thing>& things,
+addSingles(const std::vector<Element>& elements,
            const Floorplan& other,
            ChangeKind kind,
+           const HasPlaceT& has_place,
            std::vector<Change>& changes)
 {
-  for (const Thing& thing : things)
-    if (hasPlaceOf(thing, other)) {
-      changes.push_back({kind, thing.what, {}, {}, thing.area});
-      changes.back().names() = {thing.name};
-      changes.back().outlines = {thing.outline};
-    }
+  for (const Element& element : elements)
+    if (has_place(element, other))
+      changes.push_back(changeOf(element, kind));
 }
 
 } // namespace
@@ -142,13 +132,10 @@ columnChanges(const Floorplan& before,
   auto gone = columnsOf(before);
   auto come = columnsOf(after);
   for (const auto& [a, b] : takePairs(gone, come, settings.farthest, columnsApart))
-    if (columnsApart(a, b) > settings.tolerance) {
-      changes.push_back({ChangeKind::Moved, a.what, {a.name}, {b.name}, a.area});
-      changes.back().shift = b.middle - a.middle;
-      changes.back().outlines = {b.outline};
-    }
-  addSingles(gone, after, ChangeKind::Vanished, changes);
-  addSingles(come, before, ChangeKind::Appeared, changes);
+    if (columnsApart(a, b) > settings.tolerance)
+      changes.push_back(moveOf(a, b));
+  addSingles(gone, after, ChangeKind::Vanished, hasRoomOf, changes);
+  addSingles(come, before, ChangeKind::Appeared, hasRoomOf, changes);
   return changes;
 }
 
@@ -163,8 +150,8 @@ openingChanges(const Floorplan& before,
   auto gone = openingsOf(before);
   auto come = openingsOf(after);
   takePairs(gone, come, settings.farthest, openingsApart);
-  addSingles(gone, after, ChangeKind::Vanished, changes);
-  addSingles(come, before, ChangeKind::Appeared, changes);
+  addSingles(gone, after, ChangeKind::Vanished, hasWallOf, changes);
+  addSingles(come, before, ChangeKind::Appeared, hasWallOf, changes);
   return changes;
 }
 

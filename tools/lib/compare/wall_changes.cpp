@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element_changes.h"
 
-#include <pcl/sedr_filters/plan_measures.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace pcl::sedr::tools {
 
@@ -14,29 +12,22 @@ namespace {
 const double alike = std::cos(M_PI / 9);     // between directions of the same surface
 const double parallel = std::cos(M_PI / 18); // before and after a move
 
-/** @brief A part of a wall that the other plan does not have. */
-struct Face {
-  const PlanElement* wall = nullptr;
+/** @brief A part of a wall that the other plan does not have; its size is its length.
+ */
+struct Face : Element {
   std::uint32_t room = 0;
   std::size_t number = 0; ///< of the wall in its room, from 0
   std::size_t walls = 0;  ///< number of walls in that room
   double from = 0;        ///< along the wall, metres
   double to = 0;
-  RoomHeights heights; ///< of its room
 
-  double length() const { return to - from; }
-  double middle() const { return (from + to) / 2; }
-  Eigen::Vector2d place() const { return wall->pointAt(middle()); }
-  Eigen::Vector2d normal() const { return wall->normalAt(middle()); }
+  const PlanElement& wall() const { return outline.elements[0]; }
+  Eigen::Vector2d place() const { return wall().pointAt((from + to) / 2); }
+  Eigen::Vector2d normal() const { return wall().normalAt((from + to) / 2); }
 
   /** @brief Returns whether nearly all of the wall is missing, as is required for a
    * move. */
-  bool isWhole() const { return length() > 0.7 * wall->length(); }
-
-  std::string name() const
-  {
-    return "room_" + std::to_string(room) + "_wall_" + std::to_string(number + 1);
-  }
+  bool isWhole() const { return size > 0.7 * wall().length(); }
 };
 
 /** @brief Returns whether any of the rooms has a wall with the same orientation at a
@@ -63,7 +54,7 @@ void
 findMissing(const std::vector<const PlanRoom*>& others, double tolerance, Face& face)
 {
   constexpr double step = 0.05; // metres, along a wall
-  const PlanElement& wall = *face.wall;
+  const PlanElement& wall = face.wall();
   const auto count = static_cast<std::size_t>(std::max(1.0, wall.length() / step));
   const double width = wall.length() / static_cast<double>(count);
   std::size_t first = 0;
@@ -71,9 +62,10 @@ findMissing(const std::vector<const PlanRoom*>& others, double tolerance, Face& 
     const double s = (static_cast<double>(k) + 0.5) * width;
     if (k < count && !hasWallAt(others, wall.pointAt(s), wall.normalAt(s), tolerance))
       continue;
-    if (static_cast<double>(k - first) * width > face.length()) {
+    if (static_cast<double>(k - first) * width > face.size) {
       face.from = static_cast<double>(first) * width;
       face.to = static_cast<double>(k) * width;
+      face.size = face.to - face.from;
     }
     first = k + 1;
   }
@@ -85,19 +77,26 @@ std::vector<Face>
 missingFaces(const Floorplan& plan,
              const Floorplan& other,
              const CompareSettings& settings,
-             const std::vector<std::uint32_t>& ignored)
+             const std::set<std::string>& ignored)
 {
   std::vector<Face> faces;
   for (const auto& room : plan.rooms) {
-    if (std::count(ignored.begin(), ignored.end(), room.id) > 0)
+    const std::string name = "room_" + std::to_string(room.id);
+    if (ignored.count(name) > 0)
       continue;
     const RoomHeights heights = heightsOf(room);
     const auto others = roomsAt(other, heights);
     const auto& walls = room.boundary.elements;
     for (std::size_t k = 0; k < walls.size(); ++k) {
-      Face face{&walls[k], room.id, k, walls.size(), 0, 0, heights};
+      Face face;
+      face.name = name + "_wall_" + std::to_string(k + 1);
+      face.outline = {{walls[k]}};
+      face.heights = heights;
+      face.room = room.id;
+      face.number = k;
+      face.walls = walls.size();
       findMissing(others, settings.tolerance, face);
-      if (face.length() >= settings.minimum_length)
+      if (face.size >= settings.minimum_length)
         faces.push_back(face);
     }
   }
@@ -110,8 +109,8 @@ overlap(const Face& a, const Face& b)
 {
   const Eigen::Vector2d way(a.normal().y(), -a.normal().x());
   const auto extentOf = [&](const Face& f) {
-    return std::minmax({way.dot(f.wall->pointAt(f.from)), way.dot(f.place()),
-                        way.dot(f.wall->pointAt(f.to))});
+    return std::minmax({way.dot(f.wall().pointAt(f.from)), way.dot(f.place()),
+                        way.dot(f.wall().pointAt(f.to))});
   };
   const auto [a_low, a_high] = extentOf(a);
   const auto [b_low, b_high] = extentOf(b);
@@ -122,14 +121,13 @@ overlap(const Face& a, const Face& b)
 /** @brief Returns the distance from `a` to `b` along the normal if `b` may be the moved
  * `a`; else infinite, e.g. on another storey. */
 double
-moveOf(const Face& a, const Face& b)
+distance(const Face& a, const Face& b)
 {
   const bool is_alike = a.isWhole() && b.isWhole() &&
-                        a.wall->isArc() == b.wall->isArc() &&
+                        a.wall().isArc() == b.wall().isArc() &&
                         shareHeights(a.heights, b.heights) &&
                         a.normal().dot(b.normal()) >= parallel && overlap(a, b);
-  return is_alike ? a.normal().dot(b.place() - a.place())
-                  : std::numeric_limits<double>::infinity();
+  return is_alike ? a.normal().dot(b.place() - a.place()) : never;
 }
 
 /** @brief Returns whether two faces belong to one partition: opposite each other within
@@ -169,13 +167,30 @@ dropHidden(std::vector<Face>& faces, const Floorplan& other)
   faces.erase(std::remove_if(faces.begin(), faces.end(), is_hidden), faces.end());
 }
 
+/** @brief Returns the change of faces that are one partition, a wall, or neighbours. */
+Change
+changeOf(const std::vector<Face>& faces, ChangeKind kind, bool is_partition)
+{
+  Change change{kind, is_partition        ? "partition"
+                      : faces.size() == 1 ? "wall"
+                                          : "walls"};
+  change.is_length = true;
+  for (const Face& face : faces) {
+    (kind == ChangeKind::Appeared ? change.after : change.before).push_back(face.name);
+    change.outlines.push_back(face.outline);
+    change.size =
+        is_partition ? std::max(change.size, face.size) : change.size + face.size;
+  }
+  return change;
+}
+
 using Move = std::pair<Face, Face>;
 
 /** @brief Adds moves; equal moves of both faces of a partition are merged. */
 void
 addMoves(std::vector<Move> moves, double tolerance, std::vector<Change>& changes)
 {
-  const auto way = [](const Move& move) { return moveOf(move.first, move.second); };
+  const auto way = [](const Move& move) { return distance(move.first, move.second); };
   while (!moves.empty()) {
     std::vector<Move> together{moves.front()};
     moves.erase(moves.begin());
@@ -187,18 +202,17 @@ addMoves(std::vector<Move> moves, double tolerance, std::vector<Change>& changes
       together.push_back(*other);
       moves.erase(other);
     }
-    Change change;
-    change.what = together.size() > 1 ? "partition" : "wall";
-    change.is_length = true;
+    std::vector<Face> faces;
+    for (const Move& move : together)
+      faces.push_back(move.first);
+    changes.push_back(changeOf(faces, ChangeKind::Moved, together.size() > 1));
+    changes.back().outlines.clear();
     for (const Move& move : together) {
-      change.before.push_back(move.first.name());
-      change.after.push_back(move.second.name());
-      change.outlines.push_back({{*move.second.wall}});
-      change.size = std::max(change.size, move.first.length());
-      change.shift.head<2>() +=
+      changes.back().after.push_back(move.second.name);
+      changes.back().outlines.push_back(move.second.outline);
+      changes.back().shift.head<2>() +=
           way(move) * move.first.normal() / static_cast<double>(together.size());
     }
-    changes.push_back(change);
   }
 }
 
@@ -222,17 +236,7 @@ addSingles(std::vector<Face> faces, ChangeKind kind, std::vector<Change>& change
         group.push_back(faces[i]);
         faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(i));
       }
-    Change change;
-    change.kind = kind;
-    change.is_length = true;
-    change.what = is_partition ? "partition" : group.size() == 1 ? "wall" : "walls";
-    for (const auto& face : group) {
-      change.names().push_back(face.name());
-      change.outlines.push_back({{*face.wall}});
-      change.size = is_partition ? std::max(change.size, face.length())
-                                 : change.size + face.length();
-    }
-    changes.push_back(change);
+    changes.push_back(changeOf(group, kind, is_partition));
   }
 }
 
@@ -242,16 +246,20 @@ std::vector<Change>
 wallChanges(const Floorplan& before,
             const Floorplan& after,
             const CompareSettings& settings,
-            const RoomChanges& rooms)
+            const std::vector<Change>& rooms)
 {
-  auto gone = missingFaces(before, after, settings, rooms.before);
-  auto come = missingFaces(after, before, settings, rooms.after);
-  const auto distance = [](const Face& a, const Face& b) {
-    return std::abs(moveOf(a, b));
-  };
+  std::set<std::string> ignored[2]; // rooms of the plan before, and after
+  for (const Change& room : rooms) {
+    ignored[0].insert(room.before.begin(), room.before.end());
+    ignored[1].insert(room.after.begin(), room.after.end());
+  }
+  auto gone = missingFaces(before, after, settings, ignored[0]);
+  auto come = missingFaces(after, before, settings, ignored[1]);
   std::vector<Change> changes;
-  addMoves(takePairs(gone, come, settings.farthest, distance), settings.tolerance,
-           changes);
+  addMoves(
+      takePairs(gone, come, settings.farthest,
+                [](const Face& a, const Face& b) { return std::abs(distance(a, b)); }),
+      settings.tolerance, changes);
   dropHidden(gone, after);
   dropHidden(come, before);
   addSingles(gone, ChangeKind::Vanished, changes);

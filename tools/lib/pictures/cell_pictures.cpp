@@ -7,79 +7,55 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace pcl::sedr::tools {
 namespace {
 
-/** @brief Adds cells, and a text, if any, at the one nearest to their mean. */
-void
-addNamed(const CellSet& cells,
-         double cell_size,
-         Colour colour,
-         const std::string& name,
-         Panel& panel)
+/** @brief Returns the cell nearest to the mean of some. */
+Eigen::Vector2d
+middleOf(const CellSet& cells, const CellGrid& grid)
 {
-  panel.addCells(cells, cell_size, colour);
-  const CellGrid grid(cell_size);
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    mean += grid.centre(cells[i]) / static_cast<double>(cells.size());
-  Eigen::Vector2d nearest = mean;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (i == 0 || (grid.centre(cells[i]) - mean).norm() < (nearest - mean).norm())
-      nearest = grid.centre(cells[i]);
-  if (!cells.empty() && !name.empty())
-    panel.addLabel(nearest, name);
+  Places centres;
+  Eigen::Vector2d mean(0, 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    centres.push_back(grid.centre(cells[i]));
+    mean += centres.back() / static_cast<double>(cells.size());
+  }
+  return *std::min_element(centres.begin(), centres.end(),
+                           [&](const auto& a, const auto& b) {
+                             return (a - mean).norm() < (b - mean).norm();
+                           });
 }
 
-using CellCounts = LabelCounts::mapped_type;
-
-const CellCounts&
-countsOf(StructureLabel label, const LabelCounts& counts)
-{
-  static const CellCounts none;
-  const auto found = counts.find(label);
-  return found == counts.end() ? none : found->second;
-}
-
-/** @brief Adds the cells of a label, coloured by what became of them. */
-void
-addChanges(StructureLabel label,
-           const LabelCounts& before,
-           const LabelCounts& after,
-           Panel& panel)
+/** @brief Returns a map of a label's cells, coloured by what became of them. */
+Panel
+changesOf(std::size_t label,
+          const CellChanges& changes,
+          LabelCounts sums,
+          const Box& view)
 {
   constexpr double steps = 5; // of shades
-  const CellCounts& was = countsOf(label, before);
-  const CellCounts& is = countsOf(label, after);
-  std::vector<CellKey> gone;
-  for (const auto& cell : was)
-    if (is.count(cell.first) == 0)
-      gone.push_back(cell.first);
-  panel.addCells(CellSet(std::move(gone)), label_cell, colours::removed);
-  std::map<double, std::vector<CellKey>> by_share; // of points that came
-  for (const auto& [key, count] : is) {
-    const auto old = was.find(key);
-    const double kept = was.empty()        ? 1
-                        : old == was.end() ? 0
-                                           : static_cast<double>(old->second) /
-                                                 static_cast<double>(count);
-    by_share[std::round(steps * std::max(0.0, 1 - kept)) / steps].push_back(key);
+  constexpr double absent = -2;
+  constexpr double gone = -1;
+  std::map<double, std::vector<CellKey>> keys; // by the share of points that came
+  for (const auto& [key, counts] : changes) {
+    const auto was = static_cast<double>(counts[0][label]);
+    const auto is = static_cast<double>(counts[1][label]);
+    keys[is == 0 ? was == 0 ? absent : gone
+                 : std::round(steps * std::max(0.0, 1 - was / is)) / steps]
+        .push_back(key);
   }
-  for (auto& [share, keys] : by_share)
-    panel.addCells(CellSet(std::move(keys)), label_cell,
-                   mixed(colourOf(label), colours::recovered, share));
-}
-
-/** @brief Returns the cells of a room, all or those not completely seen. */
-CellSet
-cellsOf(const BuildingRoom& room, bool hidden_only)
-{
-  std::vector<CellKey> keys;
-  for (const RoomColumn& column : room.columns)
-    if (!hidden_only || !column.floor_seen || !column.ceiling_seen)
-      keys.push_back(keyOf(column.cell));
-  return CellSet(std::move(keys));
+  const auto meaning = static_cast<StructureLabel>(label);
+  Panel map(std::string(toString(meaning)) + ": " + counted(sums[1][label], "point"),
+            view);
+  for (auto& [share, cells] : keys)
+    map.addCells(CellSet(std::move(cells)), label_cell,
+                 share == absent ? colours::faint
+                 : share == gone ? colours::removed
+                                 : mixed(colourOf(meaning), colours::recovered,
+                                         sums[0][label] == 0 ? 0 : share));
+  return map;
 }
 
 /** @brief Adds the heights of a room's ceiling above the floor of its storey. */
@@ -101,13 +77,12 @@ addHeights(const BuildingRoom& room, double floor, double cell_size, Panel& pane
 
 } // namespace
 
-LabelCounts
-labelCountsOf(const RowSource& scan)
+void
+countLabels(const RowSource& scan, std::size_t when, CellChanges& changes)
 {
   const CellGrid grid(label_cell);
   const auto* field = findField(scan.fields(), "label");
   RowCoordinates coordinates(scan.fields(), scan.rowSize());
-  LabelCounts counts;
   scan.forEachPiece([&](const RowSource::Piece& piece) {
     const PointView points = coordinates.of(piece.rows, piece.size);
     for (std::size_t i = 0; i < piece.size; ++i) {
@@ -117,50 +92,46 @@ labelCountsOf(const RowSource& scan)
                  : readField(piece.rows + i * scan.rowSize() + field->offset,
                              field->datatype);
       if (points.isFinite(i) && grid.holds(p.x(), p.y()))
-        ++counts[static_cast<StructureLabel>(label >= 0 && label <= 5 ? label : 0)]
-                [keyOf(grid.at(p.x(), p.y()))];
+        ++changes[keyOf(grid.at(p.x(), p.y()))][when]
+                 [static_cast<std::size_t>(label >= 0 && label <= 5 ? label : 0)];
     }
     return true;
   });
-  return counts;
 }
 
 Picture
-drawLabels(const LabelCounts& before, const LabelCounts& after)
+drawLabels(const CellChanges& changes)
 {
-  std::vector<CellKey> keys;
-  std::vector<CellKey> labelled;
-  std::array<std::size_t, 2> sums{};
-  for (const auto* counts : {&before, &after})
-    for (const auto& [label, cells] : *counts)
-      for (const auto& [key, count] : cells) {
-        keys.push_back(key);
-        sums[counts == &before ? 0 : 1] += count;
-        if (label != StructureLabel::Other && counts == &after)
-          labelled.push_back(key);
-      }
-  const CellSet all(std::move(keys));
-  std::vector<Panel> maps;
-  Picture picture(counted(sums[0], "point") + " before, " + counted(sums[1], "point") +
-                  " after");
-  const auto add = [&](StructureLabel label) {
-    std::size_t points = 0;
-    for (const auto& cell : countsOf(label, after))
-      points += cell.second;
-    maps.emplace_back(std::string(toString(label)) + ": " + counted(points, "point"));
-    maps.back().addCells(all, label_cell, colours::faint);
-    addChanges(label, before, after, maps.back());
-    picture.addLegend(toString(label), colourOf(label));
+  LabelCounts sums{};
+  std::array<bool, 6> is_changed{};
+  std::vector<CellKey> all;
+  std::vector<CellKey> structure;
+  for (const auto& [key, counts] : changes) {
+    all.push_back(key);
+    std::size_t labelled = 0;
+    for (std::size_t label = 0; label < 6; ++label) {
+      for (const std::size_t when : {0, 1})
+        sums[when][label] += counts[when][label];
+      is_changed[label] = is_changed[label] || counts[0][label] != counts[1][label];
+      labelled += label > 0 ? counts[1][label] : 0;
+    }
+    if (labelled > 0)
+      structure.push_back(key);
+  }
+  const auto sumOf = [](const std::array<std::size_t, 6>& counts) {
+    return counted(std::accumulate(counts.begin(), counts.end(), std::size_t{0}),
+                   "point");
   };
-  for (const auto label :
-       {StructureLabel::Ceiling, StructureLabel::Floor, StructureLabel::Wall,
-        StructureLabel::Detail, StructureLabel::Column})
-    if (countsOf(label, before) != countsOf(label, after))
-      add(label);
-  if (maps.empty())
-    add(StructureLabel::Other);
-  const CellSet structure(std::move(labelled));
-  picture.addMaps(maps, viewOf(structure.empty() ? all : structure, label_cell));
+  Picture picture(sumOf(sums[0]) + " before, " + sumOf(sums[1]) + " after");
+  const Box view = viewOf(CellSet(structure.empty() ? all : structure), label_cell);
+  std::vector<Panel> maps;
+  for (const std::size_t label : {1, 2, 3, 4, 5, 0})
+    if (label == 0 ? maps.empty() : is_changed[label]) {
+      maps.push_back(changesOf(label, changes, sums, view));
+      const auto meaning = static_cast<StructureLabel>(label);
+      picture.addLegend(toString(meaning), colourOf(meaning));
+    }
+  picture.addMaps(std::move(maps));
   picture.addLegend("came", colours::recovered);
   picture.addLegend("gone", colours::removed);
   picture.addLegend("other points", colours::faint);
@@ -173,23 +144,34 @@ drawRooms(const Building& building)
   const double cell_size = building.grid.size();
   Picture picture("Rooms: " + std::to_string(building.rooms.size()) + " on " +
                   counted(building.storeys.size(), "storey"));
-  CellSet all;
+  std::vector<CellKey> all;
   for (const BuildingRoom& room : building.rooms)
-    all = unite(all, cellsOf(room, false));
+    for (const RoomColumn& column : room.columns)
+      all.push_back(keyOf(column.cell));
+  const Box view = viewOf(CellSet(std::move(all)), cell_size);
   for (const PlanStorey& storey : building.storeys) {
-    Panel rooms(storey.name);
-    Panel heights("height of " + storey.name);
+    Panel rooms(storey.name, view);
+    Panel heights("height of " + storey.name, view);
     for (const BuildingRoom& room : building.rooms) {
-      if (room.storey != storey.number)
+      if (room.storey != storey.number || room.columns.empty())
         continue;
-      const Colour colour = roomColour(room.id);
-      addNamed(cellsOf(room, false), cell_size, colour,
-               std::to_string(room.id) + ": " + decimalText(room.area, 1) + " m²",
-               rooms);
-      rooms.addCells(cellsOf(room, true), cell_size, darkened(colour, 0.25));
+      std::vector<CellKey> keys;
+      std::vector<CellKey> hidden; // not completely seen
+      for (const RoomColumn& column : room.columns) {
+        keys.push_back(keyOf(column.cell));
+        if (!column.floor_seen || !column.ceiling_seen)
+          hidden.push_back(keys.back());
+      }
+      const CellSet cells(std::move(keys));
+      rooms.addCells(cells, cell_size, roomColour(room.id));
+      rooms.addCells(CellSet(std::move(hidden)), cell_size,
+                     darkened(roomColour(room.id), 0.25));
+      rooms.addLabel(middleOf(cells, building.grid), std::to_string(room.id) + ": " +
+                                                         decimalText(room.area, 1) +
+                                                         " m²");
       addHeights(room, storey.floor, cell_size, heights);
     }
-    picture.addMaps({rooms, heights}, viewOf(all, cell_size));
+    picture.addMaps({rooms, heights});
   }
   picture.addLegend("ceiling, the lighter the higher above the storey's floor",
                     colours::ceiling);

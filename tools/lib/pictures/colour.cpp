@@ -12,7 +12,7 @@ Colour
 distanceColour(double distance, double range)
 {
   static constexpr std::array<Colour, 5> stops{
-      {{44, 90, 200}, {40, 170, 90}, {240, 214, 50}, {240, 140, 30}, {200, 30, 30}}};
+      {0x2c5ac8, 0x28aa5a, 0xf0d632, 0xf08c1e, 0xc81e1e}};
   if (std::isnan(distance))
     return colours::other;
   const double place =
@@ -34,7 +34,7 @@ distanceText(double metres)
 std::string
 hexCode(Colour colour)
 {
-  return formatText("#%02x%02x%02x", colour.red, colour.green, colour.blue);
+  return formatText("#%06x", colour);
 }
 
 } // namespace pcl::sedr::tools

@@ -1,73 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/structure_label.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
 namespace pcl::sedr::tools {
 
-/** @brief A colour of a picture, 0 to 255 per channel. */
-struct Colour {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend constexpr bool operator==(Colour a, Colour b)
-  {
-    return a.red == b.red && a.green == b.green && a.blue == b.blue;
-  }
-
-  friend constexpr bool operator!=(Colour a, Colour b) { return !(a == b); }
-
-  /** @brief Returns the number 0xRRGGBB. */
-  constexpr std::int32_t number() const { return red << 16 | green << 8 | blue; }
-};
+using Colour = SheetColour;
 
 /** @brief Meanings of colours, the same in all pictures. */
 namespace colours {
-constexpr Colour paper{255, 255, 255};
-constexpr Colour ink{34, 34, 34};      ///< text, the lines of a plan
-constexpr Colour faint{214, 214, 214}; ///< frames and context
-constexpr Colour other{155, 155, 155};
-constexpr Colour ceiling{240, 144, 30};
-constexpr Colour floor{45, 114, 196};
-constexpr Colour wall{54, 160, 74};
-constexpr Colour detail{216, 48, 44};
-constexpr Colour column{141, 68, 176};
-constexpr Colour removed{60, 60, 60};
-constexpr Colour recovered{231, 41, 138}; ///< added by a stage
-constexpr Colour arc{0, 150, 190};
+constexpr Colour paper = paper_colour;
+constexpr Colour ink = 0x222222;   ///< text, the lines of a plan
+constexpr Colour faint = 0xd6d6d6; ///< frames and context
+constexpr Colour other = 0x9b9b9b;
+constexpr Colour ceiling = 0xf0901e;
+constexpr Colour floor = 0x2d72c4;
+constexpr Colour wall = 0x36a04a;
+constexpr Colour detail = 0xd8302c;
+constexpr Colour column = 0x8d44b0;
+constexpr Colour removed = 0x3c3c3c;
+constexpr Colour recovered = 0xe7298a; ///< added by a stage
+constexpr Colour arc = 0x0096be;
 } // namespace colours
 
-/** @brief Returns one of twelve colours that are easily told apart. */
-constexpr Colour
-colourNumber(std::size_t number)
+/** @brief Returns red, green and blue, 0 to 255 each. */
+constexpr std::array<std::uint8_t, 3>
+channelsOf(Colour colour)
 {
-  constexpr Colour list[] = {{102, 166, 220}, {244, 178, 98},  {128, 196, 128},
-                             {222, 120, 118}, {178, 148, 210}, {176, 136, 122},
-                             {232, 160, 208}, {160, 160, 160}, {204, 204, 100},
-                             {96, 200, 210},  {70, 120, 170},  {180, 100, 40}};
-  return list[number % 12];
+  return {static_cast<std::uint8_t>(colour >> 16 & 0xff),
+          static_cast<std::uint8_t>(colour >> 8 & 0xff),
+          static_cast<std::uint8_t>(colour & 0xff)};
 }
 
-/** @brief Returns the colour of a room; grey for room 0, none. */
+/** @brief Returns the colour of a room, one of twelve that are easily told apart; grey
+ * for room 0, none. */
 constexpr Colour
 roomColour(std::uint32_t room)
 {
-  return room == 0 ? colours::other : colourNumber(room - 1);
+  constexpr Colour list[] = {0x66a6dc, 0xf4b262, 0x80c480, 0xde7876,
+                             0xb294d2, 0xb0887a, 0xe8a0d0, 0xa0a0a0,
+                             0xcccc64, 0x60c8d2, 0x4678aa, 0xb46428};
+  return room == 0 ? colours::other : list[(room - 1) % 12];
+}
+
+constexpr Colour
+colourOf(StructureLabel label)
+{
+  constexpr Colour list[] = {colours::other, colours::ceiling, colours::floor,
+                             colours::wall,  colours::detail,  colours::column};
+  return list[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
 }
 
 /** @brief Returns `a` blended with `share` (0 to 1) of `b`. */
 constexpr Colour
 mixed(Colour a, Colour b, double share)
 {
-  const auto mix = [share](std::uint8_t u, std::uint8_t v) {
-    return static_cast<std::uint8_t>(u + (v - u) * share + 0.5);
-  };
-  return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+  Colour colour = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int from = channelsOf(a)[k];
+    const int to = channelsOf(b)[k];
+    colour = colour << 8 | static_cast<Colour>(from + (to - from) * share + 0.5);
+  }
+  return colour;
 }
 
 constexpr Colour
@@ -79,15 +79,7 @@ lightened(Colour colour, double share)
 constexpr Colour
 darkened(Colour colour, double share)
 {
-  return mixed(colour, Colour{0, 0, 0}, share);
-}
-
-constexpr Colour
-colourOf(StructureLabel label)
-{
-  constexpr Colour list[] = {colours::other, colours::ceiling, colours::floor,
-                             colours::wall,  colours::detail,  colours::column};
-  return list[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
+  return mixed(colour, 0, share);
 }
 
 /** @brief Returns the colour of a distance from the model (paper, Figure 11): from blue

@@ -3,7 +3,6 @@
 
 #include "colour.h"
 
-#include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/cell_grid.h>
 
 #include <string>
@@ -19,9 +18,8 @@ using Places = std::vector<Eigen::Vector2d>;
  * up. Boxes and points are at least a pixel wide; widths of lines are pixels. */
 class Panel {
 public:
-  explicit Panel(std::string panel_title = "")
-      : title(std::move(panel_title))
-  {}
+  /** @param view the visible part of the plane; empty: there is nothing to see */
+  Panel(std::string title, const Box& view);
 
   void addBoxes(std::vector<Box> boxes, Colour colour);
   void addCells(const CellSet& cells, double cell_size, Colour colour);
@@ -29,38 +27,37 @@ public:
   /** @brief Adds points as squares of `size` metres. */
   void addPoints(const Places& points, Colour colour, double size = 0.04);
 
-  /** @brief Adds a polyline. */
-  void addPath(const Places& points, Colour colour, double pixels);
+  void addLines(std::vector<PlanLoop> lines, Colour colour, double pixels);
 
-  /** @brief Adds the elements of a loop: segments in one colour, arcs in another. */
-  void addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels);
+  /** @brief Adds the outlines of rooms, niches, columns and details in the colours of
+   * their meanings, or all in one. */
+  void addPlan(const Floorplan& plan, double pixels, Colour all = no_colour);
 
   /** @brief Adds a text at a place, unless it overlaps an earlier one of the panel. */
-  void addLabel(const Eigen::Vector2d& place, const std::string& text);
+  void addLabel(const Eigen::Vector2d& place, const std::string& text)
+  {
+    labels_.emplace_back(place, text);
+  }
 
-  /** @brief Sets the visible part of the plane; default: all shapes with a margin. */
-  void setView(const Box& view) { view_ = view; }
+  const std::string& title() const { return title_; }
+  const Box& view() const { return view_; }
 
-  /** @brief Returns the visible part, never empty. */
-  Box view() const;
-
-  /** @brief Draws the map into a box of a sheet. */
-  void draw(Sheet& sheet, const Box& box) const;
-
-  std::string title;
+  /** @brief Draws the map on a sheet.
+   * @param corner the lower left one of the map
+   * @param scale pixels per metre */
+  void draw(const Eigen::Vector2d& corner, double scale, Sheet& sheet) const;
 
 private:
-  void add(Sheet::Item item, const Places& extent);
-
+  std::string title_;
   Box view_;
-  Box bounds_;                     ///< of all shapes
-  std::vector<Sheet::Item> items_; ///< in metres
+  std::vector<Sheet::Item> shapes_; ///< in metres
+  std::vector<std::pair<Eigen::Vector2d, std::string>> labels_;
 };
 
-/** @brief A picture of a stage's result: a title, maps, and a legend. The same content
- * gives the same bytes.
+/** @brief A picture of a stage's result: a title, maps at one scale, its bar, and a
+ * legend. The same content gives the same bytes.
  * @code
- * Panel map("ceiling");
+ * Panel map("ceiling", viewOf(cells, 0.05));
  * map.addCells(cells, 0.05, colours::ceiling);
  * Picture picture("one room");
  * picture.addMaps({map});
@@ -72,9 +69,8 @@ public:
       : title_(std::move(title))
   {}
 
-  /** @brief Adds maps in as many rows as make them largest, all with the same view if
-   * that is not empty. */
-  void addMaps(std::vector<Panel> panels, const Box& view = {});
+  /** @brief Adds maps in a row, or in several where that makes them much larger. */
+  void addMaps(std::vector<Panel> maps) { rows_.push_back(std::move(maps)); }
 
   /** @brief Adds a legend entry, in the order of calls. */
   void addLegend(const std::string& meaning, Colour colour)
@@ -90,6 +86,12 @@ public:
   std::string png() const { return sheetPng(draw()); }
 
 private:
+  /** @brief Returns the largest scale at which all maps fit, pixels per metre. */
+  double scale() const;
+
+  /** @brief Draws the maps below the title; returns the lower edge of the last ones. */
+  double drawMaps(Sheet& sheet) const;
+
   std::string title_;
   std::vector<std::vector<Panel>> rows_;
   std::vector<std::pair<std::string, Colour>> legend_;
@@ -102,13 +104,13 @@ counted(std::size_t number, const std::string& thing)
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
-/** @brief Returns a box grown by `margin` on every side; empty stays empty. */
-Box grown(const Box& box, double margin);
-
-/** @brief Returns the extent of cells without outliers, since a scan may hold points
- * hundreds of metres away: a hundredth of the cells at each end is cut off if that
- * halves the view.
+/** @brief Returns the extent of cells, with a margin, without outliers, since a scan
+ * may hold points hundreds of metres away: a hundredth of the cells at each end is cut
+ * off if that halves the view.
  * @return empty for no cells */
 Box viewOf(const CellSet& cells, double cell_size);
+
+/** @brief Returns the extent of the rooms of plans, with a margin. */
+Box viewOf(const std::vector<const Floorplan*>& plans);
 
 } // namespace pcl::sedr::tools

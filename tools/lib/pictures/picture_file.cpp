@@ -34,11 +34,14 @@ StageFiles::check() const
 void
 StageFiles::save(const ToolCloud& cloud, const ScanSettings& reading) const
 {
-  LabelCounts before; // first, as the output may be the input
-  if (!picture.path.empty())
-    before = labelCountsOf(ScanFile(input, reading));
+  CellChanges changes;
+  if (!picture.path.empty()) // first, as the output may be the input
+    countLabels(ScanFile(input, reading), 0, changes);
   saveCloud(output, cloud);
-  picture.write([&] { return drawLabels(before, labelCountsOf(ScanFile(output))); });
+  picture.write([&] {
+    countLabels(ScanFile(output), 1, changes);
+    return drawLabels(changes);
+  });
 }
 
 } // namespace pcl::sedr::tools

@@ -2,44 +2,60 @@
 #include "stage_pictures.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_segmentation/src/openings/opening_search.h"
 #include "sedr_surface/src/drawing/text_spot.h"
 
-#include <array>
-#include <iterator>
+#include <algorithm>
+#include <cmath>
 
 namespace pcl::sedr::tools {
 namespace {
 
-/** @brief Adds walls, columns and details of all rooms. */
-void
-addPlan(const Floorplan& plan, double pixels, Panel& panel)
+/** In the order of WallCell. */
+constexpr std::array<std::pair<const char*, Colour>, 7> states{
+    {{"no room", colours::paper},
+     {"seen on the wall", colours::other},
+     {"within the wall", colours::detail},
+     {"rays through", lightened(colours::detail, 0.5)},
+     {"hidden", lightened(colours::floor, 0.5)},
+     {"nothing", 0xfae28c},
+     {"nothing, beside something", lightened(0xfae28c, 0.5)}}};
+
+/** @brief Returns the map of a side of a wall, x along it and y above its first row. */
+Panel
+mapOf(const WallMap& map, const std::string& title)
 {
-  for (const PlanRoom& room : plan.rooms) {
-    for (const auto& [details, colour] :
-         {std::pair(&room.floor_details, colours::floor),
-          std::pair(&room.details, colours::detail)})
-      for (const PlanDetail& detail : *details) {
-        panel.addLoop(detail.boundary, colour, colour, pixels);
-        for (const PlanLoop& hole : detail.holes)
-          panel.addLoop(hole, colour, colour, pixels);
-      }
-    for (const PlanNiche& niche : room.niches)
-      panel.addLoop(niche.boundary, colours::wall, colours::wall, pixels);
-    for (const PlanLoop& column : room.columns)
-      panel.addLoop(column, colours::column, colours::column, pixels);
-    panel.addLoop(room.boundary, colours::ink, colours::arc, pixels);
-  }
+  std::array<std::vector<CellKey>, states.size()> keys;
+  for (std::size_t c = 0; c < map.columns(); ++c)
+    for (std::size_t r = 0; r < map.rows(); ++r)
+      keys[static_cast<std::size_t>(map.at(c, r))].push_back(
+          keyOf({static_cast<std::int32_t>(c), static_cast<std::int32_t>(r)}));
+  const Eigen::Vector2d size(map.columns(), map.rows());
+  Panel panel(title, Box(Eigen::Vector2d(0, 0), map.cell() * size));
+  for (std::size_t k = 1; k < states.size(); ++k)
+    panel.addCells(CellSet(std::move(keys[k])), map.cell(), states[k].second);
+  return panel;
 }
 
-/** @brief Returns the extent of all rooms with some space around. */
-Box
-viewOf(const Floorplan& plan)
+/** @brief Adds an opening to the map of its wall.
+ * @param base z of the map's first row */
+void
+addOpening(const FoundOpening& found, double base, Panel& panel)
 {
-  Box view;
-  for (const PlanRoom& room : plan.rooms)
-    view.extend(boundsOf(room.boundary));
-  return grown(view, 0.4);
+  constexpr int chords = 12; // of an arched head
+  const WallRectangle& at = found.rectangle;
+  const double bottom = at.bottom - base;
+  const double top = at.top - base;
+  const double middle = (at.from + at.to) / 2;
+  Places outline{{at.from, bottom}, {at.to, bottom}};
+  for (int chord = 0; chord <= chords; ++chord) {
+    const double x = 1 - 2.0 * chord / chords;
+    outline.emplace_back(middle + x * (at.to - middle),
+                         top - at.rise * (1 - std::sqrt(1 - x * x)));
+  }
+  panel.addLines({loopOf(outline)}, colours::ink, 1.5);
+  panel.addLabel({middle, (bottom + top) / 2}, nameOf(found.opening.kind));
 }
 
 } // namespace
@@ -48,33 +64,34 @@ Picture
 drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries)
 {
   constexpr Colour unsupported = colours::recovered;
+  const Box view = viewOf({&plan});
   std::array<Places, 2> samples; // without and with a wall
   for (const FittedBoundary& boundary : boundaries)
     for (const auto& sample : boundary.samples)
       samples[sample.isSupported() ? 1 : 0].push_back(sample.position);
-  Panel boundary("boundary: " +
-                 counted(samples[0].size() + samples[1].size(), "point"));
-  addPlan(plan, 1, boundary);
+  Panel boundary("boundary: " + counted(samples[0].size() + samples[1].size(), "point"),
+                 view);
+  boundary.addPlan(plan, 1);
   boundary.addPoints(samples[0], unsupported);
   boundary.addPoints(samples[1], colours::wall);
-  Panel fitted;
-  addPlan(plan, 2.5, fitted);
   Places corners;
   std::size_t arcs = 0;
-  for (const PlanRoom& room : plan.rooms) {
+  for (const PlanRoom& room : plan.rooms)
     for (const PlanElement& element : room.boundary.elements) {
       arcs += element.isArc() ? 1 : 0;
       corners.push_back(element.start);
     }
+  Panel fitted("fitted: " + counted(corners.size() - arcs, "segment") + " and " +
+                   counted(arcs, "arc"),
+               view);
+  fitted.addPlan(plan, 2.5);
+  fitted.addPoints(corners, colours::ink, 0.08);
+  for (const PlanRoom& room : plan.rooms)
     fitted.addLabel(textSpotIn(room.boundary, room.columns).place,
                     std::to_string(room.id) + ": " + decimalText(room.area(), 1) +
                         " m²");
-  }
-  fitted.addPoints(corners, colours::ink, 0.08);
-  fitted.title = "fitted: " + counted(corners.size() - arcs, "segment") + " and " +
-                 counted(arcs, "arc");
   Picture picture("Floor plan of " + counted(plan.rooms.size(), "room"));
-  picture.addMaps({boundary, fitted}, viewOf(plan));
+  picture.addMaps({boundary, fitted});
   picture.addLegend("boundary point on a wall", colours::wall);
   picture.addLegend("edge of the ceiling, no wall seen", unsupported);
   picture.addLegend("segment", colours::ink);
@@ -82,6 +99,41 @@ drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries)
   picture.addLegend("column", colours::column);
   picture.addLegend("detail of the ceiling", colours::detail);
   picture.addLegend("step of the floor", colours::floor);
+  return picture;
+}
+
+Picture
+drawOpenings(const Floorplan& plan, const OpeningSearch& search)
+{
+  constexpr std::size_t max_maps = 24;
+  std::vector<std::size_t> sides;
+  for (const FoundOpening& found : search.found)
+    sides.push_back(found.side);
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  std::stable_sort(sides.begin(), sides.end(), [&](std::size_t a, std::size_t b) {
+    return search.sides[a].line.length() > search.sides[b].line.length();
+  });
+  const std::size_t shown = std::min(sides.size(), max_maps);
+  Picture picture(
+      counted(search.found.size(), "opening") +
+      (shown < sides.size()
+           ? ", without those of " + counted(sides.size() - shown, "shorter wall")
+           : ""));
+  sides.resize(shown);
+  std::vector<Panel> maps;
+  for (const std::size_t side : sides) {
+    const WallMap& map = search.maps[side];
+    maps.push_back(
+        mapOf(map, "a wall of room " +
+                       std::to_string(plan.rooms[search.sides[side].room].id)));
+    for (const FoundOpening& found : search.found)
+      if (found.side == side)
+        addOpening(found, map.heightOf(0), maps.back());
+  }
+  picture.addMaps(std::move(maps));
+  for (std::size_t k = 1; k < states.size(); ++k)
+    picture.addLegend(states[k].first, states[k].second);
   return picture;
 }
 

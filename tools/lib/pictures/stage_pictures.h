@@ -7,7 +7,7 @@
 #include <pcl/sedr_segmentation/building.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
-#include <map>
+#include <array>
 #include <unordered_map>
 #include <vector>
 
@@ -17,21 +17,24 @@ struct OpeningSearch;
 
 namespace tools {
 
-/** @brief Numbers of points in the cells of the plan, by label. */
-using LabelCounts = std::map<StructureLabel, std::unordered_map<CellKey, std::size_t>>;
+/** @brief Numbers of points by label, before and after a stage. */
+using LabelCounts = std::array<std::array<std::size_t, 6>, 2>;
 
-/** @brief Edge of the cells of LabelCounts, metres. */
+/** @brief What a stage made of a cloud, by cells of the plan. */
+using CellChanges = std::unordered_map<CellKey, LabelCounts>;
+
+/** @brief Edge of the cells of CellChanges, metres. */
 constexpr double label_cell = 0.05;
 
 /** @brief Counts the points of a scan, those without a label as StructureLabel::Other.
- */
-LabelCounts labelCountsOf(const RowSource& scan);
+ * @param when 0 before, 1 after the stage */
+void countLabels(const RowSource& scan, std::size_t when, CellChanges& changes);
 
 /** @brief Draws what a stage made of a cloud: a map of every label that changed, or one
  * of all points without labels. Cells that lost all their points are dark; where the
  * label was there before, cells are the pinker the larger the share of points that
  * came. */
-Picture drawLabels(const LabelCounts& before, const LabelCounts& after);
+Picture drawLabels(const CellChanges& changes);
 
 /** @brief Draws the rooms of a building, storey by storey: number and area of each
  * room, its hidden parts darker, and the heights of their ceilings. */

@@ -34,8 +34,7 @@ public:
   void add(const Eigen::Vector3d& point, Colour colour)
   {
     points_->InsertNextPoint(point.data());
-    const unsigned char rgb[3] = {colour.red, colour.green, colour.blue};
-    colours_->InsertNextTypedTuple(rgb);
+    colours_->InsertNextTypedTuple(channelsOf(colour).data());
   }
 
   void addLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Colour colour)
@@ -75,7 +74,7 @@ Colour
 heightColour(double z, const Eigen::AlignedBox3d& box)
 {
   const double share = (z - box.min().z()) / std::max(1e-6, box.sizes().z());
-  return mixed(Colour{60, 66, 78}, Colour{206, 208, 212}, std::clamp(share, 0.0, 1.0));
+  return mixed(0x3c424e, 0xced0d4, std::clamp(share, 0.0, 1.0));
 }
 
 StructureLabel

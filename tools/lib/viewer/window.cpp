@@ -103,7 +103,9 @@ adjust(vtkActor& actor, const std::string& layer, const ViewState& state)
 vtkSmartPointer<vtkTextActor>
 textAt(int x, int y, const std::string& text, Colour colour, bool is_patch)
 {
-  const double rgb[3] = {colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0};
+  double rgb[3];
+  for (std::size_t k = 0; k < 3; ++k)
+    rgb[k] = channelsOf(colour)[k] / 255.0;
   auto actor = vtkSmartPointer<vtkTextActor>::New();
   actor->SetInput(text.c_str());
   actor->SetDisplayPosition(x, y);

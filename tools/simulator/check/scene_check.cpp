@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -16,34 +14,15 @@ namespace {
 constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
 constexpr double kInside = 1e-3;  ///< metres inside a loop, clear of its edge
 
-/** @brief Throws the sentence that the parts make up. */
-template <typename... Parts>
-[[noreturn]] void
-fail(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  throw std::invalid_argument(text.str());
-}
-
-/** @brief Returns a point as " at (x, y)". */
-std::string
-at(const Vec2& point)
-{
-  std::ostringstream text;
-  text << " at (" << point.x() << ", " << point.y() << ")";
-  return text.str();
-}
-
 /** @brief Returns sample points along the outline and all details of a room. */
 std::vector<Vec2>
 placesOf(const Room& room)
 {
-  std::vector<Vec2> places = samplesAlong(room.outline, kInside);
+  std::vector<Vec2> places = samplesAlong(room.boundary, kInside);
   for (const Layer layer : {Layer::Floor, Layer::Ceiling})
-    for (const SlabDetail& detail : detailsOf(room, layer))
+    for (const PlanDetail& detail : detailsOf(room, layer))
       for (const double side : {kInside, -kInside}) {
-        const auto more = samplesAlong(detail.loop, side);
+        const auto more = samplesAlong(detail.boundary, side);
         places.insert(places.end(), more.begin(), more.end());
       }
   return places;
@@ -53,15 +32,15 @@ placesOf(const Room& room)
 std::optional<Vec2>
 overlapOf(const Room& a, const Room& b)
 {
-  if (!boundsOf(a.outline).intersects(boundsOf(b.outline)))
+  if (!boundsOf(a.boundary).intersects(boundsOf(b.boundary)))
     return std::nullopt;
   for (const Room* room : {&a, &b})
     for (const Vec2& place : placesOf(*room)) {
-      if (!a.outline.contains(place) || !b.outline.contains(place))
+      if (!a.boundary.contains(place) || !b.boundary.contains(place))
         continue;
-      const double low = std::max(floorBelow(a, place), floorBelow(b, place));
-      const double high = std::min(ceilingAbove(a, place) + a.plenum,
-                                   ceilingAbove(b, place) + b.plenum);
+      const double low = std::max(a.floorAt(place), b.floorAt(place));
+      const double high =
+          std::min(a.ceilingAt(place) + a.plenum, b.ceilingAt(place) + b.plenum);
       if (low < high - kContact)
         return place;
     }
@@ -74,7 +53,8 @@ checkOverlaps(const std::vector<Room>& rooms)
   for (std::size_t i = 0; i < rooms.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (const auto point = overlapOf(rooms[i], rooms[k]))
-        fail(placeOf("rooms", i), " overlaps room '", rooms[k].name, "'", at(*point));
+        fail(placeOf("rooms", i), " overlaps room '", rooms[k].name, "'",
+             placeText(*point));
 }
 
 /** @brief Checks that the far side of a gap is in no room. */
@@ -88,9 +68,9 @@ checkGap(const Scene& scene,
   for (const double s : stepsAlong(far)) {
     const Vec2 point = far.pointAt(s);
     for (const Room& other : scene.rooms)
-      if (other.outline.contains(point) &&
-          floorBelow(other, point) < gap.head - kContact &&
-          ceilingAbove(other, point) > gap.sill + kContact)
+      if (other.boundary.contains(point) &&
+          other.floorAt(point) < gap.head - kContact &&
+          other.ceilingAt(point) > gap.sill + kContact)
         fail(place, " reaches into room '", other.name, "' but does not lead to it");
   }
 }
@@ -99,11 +79,11 @@ checkGap(const Scene& scene,
 void
 checkHole(const std::string& place, const Loop& loop, const Room& room, Layer layer)
 {
-  const Region first = regionAt(room, pointInside(loop), layer);
+  const int first = detailAt(room, pointInside(loop), layer);
   for (const Vec2& sample : samplesAlong(loop, loop.area() > 0.0 ? kInside : -kInside))
-    if (first == kVoid || regionAt(room, sample, layer) != first)
+    if (!room.contains(sample) || detailAt(room, sample, layer) != first)
       fail(place, " reaches out of room '", room.name, "' or over the edge of a detail",
-           at(sample));
+           placeText(sample));
 }
 
 void
@@ -120,8 +100,9 @@ checkVoid(const Scene& scene,
   const Room& above = scene.rooms[*hole.leads_to];
   checkHole(place, hole.loop, above, Layer::Floor);
   const Vec2 inside = pointInside(hole.loop);
-  if (floorBelow(above, inside) < ceilingAbove(room, inside) + room.plenum)
-    fail(place, " leads to room '", above.name, "', which is not above it", at(inside));
+  if (above.floorAt(inside) < room.ceilingAt(inside) + room.plenum)
+    fail(place, " leads to room '", above.name, "', which is not above it",
+         placeText(inside));
 }
 
 void
@@ -133,34 +114,11 @@ checkGaps(const Scene& scene)
     for (std::size_t k = 0; k < room.openings.size(); ++k)
       if (!room.openings[k].leads_to)
         checkGap(scene, room, room.openings[k], placeOf(place + ".openings", k));
-    for (std::size_t k = 0; k < room.niches.size(); ++k)
-      checkGap(scene, room, room.niches[k], placeOf(place + ".niches", k));
+    for (std::size_t k = 0; k < room.wall_niches.size(); ++k)
+      checkGap(scene, room, room.wall_niches[k], placeOf(place + ".niches", k));
     for (std::size_t k = 0; k < room.voids.size(); ++k)
       checkVoid(scene, room, room.voids[k], placeOf(place + ".voids", k));
   }
-}
-
-/** @brief A box or cylinder: an upright prism. */
-struct Prism {
-  Loop footprint;
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/** @brief Returns the parts of an object. */
-std::vector<Prism>
-prismsOf(const Object& object)
-{
-  std::vector<Prism> prisms;
-  for (const Box& box : object.boxes) {
-    const double rise = 0.5 * box.size.z();
-    prisms.push_back(
-        {loopOf(cornersOf(box)), box.center.z() - rise, box.center.z() + rise});
-  }
-  for (const Cylinder& cylinder : object.cylinders)
-    prisms.push_back({circleLoop(plan(cylinder.base), cylinder.radius),
-                      cylinder.base.z(), cylinder.base.z() + cylinder.height});
-  return prisms;
 }
 
 void
@@ -168,17 +126,16 @@ checkStation(const Scene& scene, const Vec3& station, const std::string& name)
 {
   const Vec2 place = plan(station);
   const std::uint32_t number = roomAt(scene, station);
-  if (number == 0 || !isInRoom(scene.rooms[number - 1], place))
-    fail(name, at(place), " is in no room");
+  if (number == 0 || !scene.rooms[number - 1].contains(place))
+    fail(name, placeText(place), " is in no room");
   const Room& room = scene.rooms[number - 1];
-  if (station.z() <= floorBelow(room, place) ||
-      station.z() >= ceilingAbove(room, place))
-    fail(name, at(place), " is not between floor and ceiling");
+  if (station.z() <= room.floorAt(place) || station.z() >= room.ceilingAt(place))
+    fail(name, placeText(place), " is not between floor and ceiling");
   for (const Object& object : scene.furniture)
-    for (const Prism& prism : prismsOf(object))
-      if (station.z() >= prism.low && station.z() <= prism.high &&
-          prism.footprint.contains(place))
-        fail(name, at(place), " is in the ", object.name);
+    for (const Prism& part : object.parts)
+      if (station.z() >= part.low && station.z() <= part.high &&
+          loopOf(part.corners).contains(place))
+        fail(name, placeText(place), " is in the ", object.name);
 }
 
 } // namespace

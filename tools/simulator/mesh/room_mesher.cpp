@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 namespace pcl::sedr::sim {
@@ -11,14 +10,6 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr double kSameHeight = 1e-5; ///< metres; heights closer than this are equal
-
-[[noreturn]] void
-throwAt(const Vec2& point, const char* reason)
-{
-  std::ostringstream text;
-  text << reason << " at (" << point.x() << ", " << point.y() << ")";
-  throw std::invalid_argument(text.str());
-}
 
 /** @brief The heights at which a point of the plan has a vertex, ascending. Heights
  * that are equal up to rounding are one. */
@@ -83,7 +74,7 @@ public:
         addWall(side);
       }
     for (std::size_t i = 0; i < niches_.size(); ++i)
-      addNiche(room_.niches[i], niches_[i]);
+      addNiche(room_.wall_niches[i], niches_[i]);
     expectClosed(first);
   }
 
@@ -105,8 +96,8 @@ private:
 
   void addNicheFootprints()
   {
-    for (const Niche& niche : room_.niches) {
-      const Element& wall = room_.outline.elements[niche.wall];
+    for (const WallGap& niche : room_.wall_niches) {
+      const Element& wall = room_.boundary.elements[niche.wall];
       std::map<double, std::uint32_t> along;
       for (const PlanSide& side : plan_.sides)
         if (side.isWithin(niche)) {
@@ -131,12 +122,11 @@ private:
     for (const PlanTriangle& triangle : plan_.triangles)
       for (const std::uint32_t corner : triangle.corners) {
         const Vec2& point = points_[corner];
-        const double low = heightAt(slabOf(room_, triangle.floor, Layer::Floor), point);
-        const double high =
-            heightAt(slabOf(room_, triangle.ceiling, Layer::Ceiling), point);
+        const double low = room_.floorSlab(triangle.floor).heightAt(point);
+        const double high = room_.ceilingSlab(triangle.ceiling).heightAt(point);
         // At the edge of a tilted wall floor and ceiling may meet.
-        if (high - low < (room_.tilts.empty() ? kSameHeight : -kSameHeight))
-          throwAt(point, "the ceiling is not above the floor");
+        if (high - low < (room_.foot.elements.empty() ? kSameHeight : -kSameHeight))
+          fail("the ceiling is not above the floor", placeText(point));
         levels_[corner].insert(low);
         levels_[corner].insert(high);
       }
@@ -153,7 +143,7 @@ private:
     for (std::size_t i = 0; i < niches_.size(); ++i)
       for (const auto* points : {&niches_[i].near, &niches_[i].far})
         for (const std::uint32_t point : *points)
-          insert(point, room_.niches[i]);
+          insert(point, room_.wall_niches[i]);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       first_vertex_.push_back(static_cast<std::uint32_t>(scene_.mesh.vertices.size()));
       for (std::size_t k = 0; k < levels_[i].size(); ++k)
@@ -172,12 +162,12 @@ private:
   void addSlabFace(const PlanTriangle& triangle, Layer layer)
   {
     const bool is_floor = layer == Layer::Floor;
-    const Region region = is_floor ? triangle.floor : triangle.ceiling;
+    const int region = is_floor ? triangle.floor : triangle.ceiling;
     const Slab& slab = slabOf(room_, region, layer);
     Triangle corners{};
     for (std::size_t k = 0; k < 3; ++k)
       corners[k] =
-          vertexAt(triangle.corners[k], heightAt(slab, points_[triangle.corners[k]]));
+          vertexAt(triangle.corners[k], slab.heightAt(points_[triangle.corners[k]]));
     if (is_floor)
       std::swap(corners[1], corners[2]);
     const bool is_open =
@@ -195,24 +185,24 @@ private:
     for (const Opening& opening : openings_)
       if (side.isWithin(opening))
         gaps.emplace_back(&opening, opening.number);
-    for (const Niche& niche : room_.niches)
+    for (const WallGap& niche : room_.wall_niches)
       if (side.isWithin(niche))
         gaps.emplace_back(&niche, 0);
     std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) {
       return a.first->sill < b.first->sill;
     });
-    Slab low = slabOf(room_, triangle.floor, Layer::Floor);
+    Slab low = room_.floorSlab(triangle.floor);
     for (const auto& [gap, opening] : gaps) {
-      addStrip(strip, low, {gap->sill});
+      addStrip(strip, low, horizontalSlab(gap->sill));
       if (opening > 0) {
         Strip closed = strip;
         closed.surface = Surface::Gap;
         closed.opening = opening;
-        addStrip(closed, {gap->sill}, {gap->head});
+        addStrip(closed, horizontalSlab(gap->sill), horizontalSlab(gap->head));
       }
-      low = {gap->head};
+      low = horizontalSlab(gap->head);
     }
-    addStrip(strip, low, slabOf(room_, triangle.ceiling, Layer::Ceiling));
+    addStrip(strip, low, room_.ceilingSlab(triangle.ceiling));
   }
 
   void addRiser(const PlanSide& side, Layer layer)
@@ -225,13 +215,14 @@ private:
     const Slab& left = slab(side.triangle);
     const Slab& right = slab(*side.beyond);
     const auto rise = [&](std::uint32_t point) {
-      return heightAt(left, points_[point]) - heightAt(right, points_[point]);
+      return left.heightAt(points_[point]) - right.heightAt(points_[point]);
     };
     const auto [least, most] = std::minmax({rise(side.a), rise(side.b)});
     if (least > -kSameHeight && most < kSameHeight)
       return;
     if (least < -kSameHeight && most > kSameHeight)
-      throwAt(points_[side.a], "two parts of a floor or ceiling cross beside a riser");
+      fail("two parts of a floor or ceiling cross beside a riser",
+           placeText(points_[side.a]));
     const bool left_is_higher = most >= kSameHeight;
     const bool room_is_left = left_is_higher == (layer == Layer::Ceiling);
     Strip strip{side.a, side.b, Label::Detail};
@@ -240,11 +231,11 @@ private:
     addStrip(strip, left_is_higher ? right : left, left_is_higher ? left : right);
   }
 
-  void addNiche(const Niche& niche, const NicheFootprint& footprint)
+  void addNiche(const WallGap& niche, const NicheFootprint& footprint)
   {
     const auto& [near, far] = footprint;
-    const Slab low{niche.sill};
-    const Slab high{niche.head};
+    const Slab low = horizontalSlab(niche.sill);
+    const Slab high = horizontalSlab(niche.head);
     const auto add_flat = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       scene_.addFace(
           {vertexAt(a, niche.head), vertexAt(b, niche.head), vertexAt(c, niche.head)},
@@ -265,7 +256,7 @@ private:
   void addStrip(const Strip& strip, const Slab& low, const Slab& high)
   {
     const auto level = [this](std::uint32_t point, const Slab& slab) {
-      return levels_[point].indexOf(heightAt(slab, points_[point]));
+      return levels_[point].indexOf(slab.heightAt(points_[point]));
     };
     const VertexLevels& za = levels_[strip.a];
     const VertexLevels& zb = levels_[strip.b];
@@ -274,8 +265,8 @@ private:
     const std::size_t last_i = level(strip.a, high);
     const std::size_t last_j = level(strip.b, high);
     if (i > last_i || j > last_j)
-      throwAt(points_[strip.a], "an opening or niche reaches beyond floor or "
-                                "ceiling, or over another");
+      fail("an opening or niche reaches beyond floor or ceiling, or over another",
+           placeText(points_[strip.a]));
     while (i < last_i || j < last_j) {
       const bool climb_b = i == last_i || (j < last_j && zb[j + 1] <= za[i + 1]);
       const auto at_a = static_cast<std::uint32_t>(first_vertex_[strip.a] + i);
@@ -300,9 +291,8 @@ private:
         ++uses[{triangles[t][k], triangles[t][(k + 1) % 3]}];
     for (const auto& [edge, count] : uses)
       if (count != 1 || uses.count({edge.second, edge.first}) == 0)
-        throwAt(sim::plan(scene_.mesh.vertices[edge.first]),
-                "parts of the floor, the ceiling or the walls touch in a "
-                "single point");
+        fail("parts of the floor, the ceiling or the walls touch in a single point",
+             placeText(sim::plan(scene_.mesh.vertices[edge.first])));
   }
 
   const Room& room_;

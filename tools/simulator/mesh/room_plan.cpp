@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_plan.h"
 
+#include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_surface/src/triangulation/constrained_triangulation.h"
 #include "sedr_surface/src/triangulation/segment_arrangement.h"
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace pcl::sedr::sim {
@@ -33,6 +33,7 @@ public:
               const std::vector<Opening>& openings,
               const std::vector<Loop>& floor_voids)
       : room_(room)
+      , lookup_(room)
       , openings_(openings)
       , floor_voids_(floor_voids)
   {}
@@ -53,8 +54,8 @@ private:
     for (const Loop& column : room_.columns)
       loops.push_back(&column);
     for (const Layer layer : {Layer::Ceiling, Layer::Floor})
-      for (const SlabDetail& detail : detailsOf(room_, layer))
-        loops.push_back(&detail.loop);
+      for (const PlanDetail& detail : detailsOf(room_, layer))
+        loops.push_back(&detail.boundary);
     for (const CeilingVoid& hole : room_.voids)
       loops.push_back(&hole.loop);
     for (const Loop& hole : floor_voids_)
@@ -62,8 +63,8 @@ private:
     for (const Loop* loop : loops)
       for (const Element& element : loop->elements)
         corners_.push_back(element.start);
-    for (std::size_t wall = 0; wall < room_.outline.elements.size(); ++wall)
-      addChords(room_.outline.elements[wall], cutsOf(wall), wall);
+    for (std::size_t wall = 0; wall < room_.boundary.elements.size(); ++wall)
+      addChords(room_.boundary.elements[wall], cutsOf(wall), wall);
     for (const Loop* loop : loops)
       for (const Element& element : loop->elements)
         addChords(element, {}, std::nullopt);
@@ -78,7 +79,7 @@ private:
         cuts.insert(cuts.end(), {gap.from, gap.to});
     };
     std::for_each(openings_.begin(), openings_.end(), add);
-    std::for_each(room_.niches.begin(), room_.niches.end(), add);
+    std::for_each(room_.wall_niches.begin(), room_.wall_niches.end(), add);
     return cuts;
   }
 
@@ -126,7 +127,7 @@ private:
       edge_of_[edges.back()] = i;
     }
     if (!triangulateConstrained(arrangement_.vertices, edges, all_))
-      throw std::invalid_argument("outlines cannot be told apart");
+      fail("outlines cannot be told apart");
   }
 
   Ends sideOf(std::size_t t, std::size_t k) const
@@ -173,10 +174,10 @@ private:
                          plan_.points[corners[2]]) /
                         3.0;
     PlanTriangle triangle;
-    triangle.floor = regionAt(room_, middle, Layer::Floor);
-    if (triangle.floor == kVoid)
+    if (!lookup_.contains(middle))
       return;
-    triangle.ceiling = regionAt(room_, middle, Layer::Ceiling);
+    triangle.floor = lookup_.floorDetailAt(middle);
+    triangle.ceiling = lookup_.detailAt(middle);
     triangle.floor_is_open =
         std::any_of(floor_voids_.begin(), floor_voids_.end(),
                     [&](const Loop& hole) { return hole.contains(middle); });
@@ -246,6 +247,7 @@ private:
   }
 
   const Room& room_;
+  const RoomLookup lookup_;
   const std::vector<Opening>& openings_;
   const std::vector<Loop>& floor_voids_;
   std::vector<Vec2> corners_; ///< of all loops but the outline

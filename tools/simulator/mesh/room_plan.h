@@ -15,10 +15,10 @@ namespace pcl::sedr::sim {
  * and above one part of its floor. */
 struct PlanTriangle {
   std::array<std::uint32_t, 3> corners{}; ///< points of the plan
-  Region floor = kVoid;
-  Region ceiling = kVoid;
-  bool floor_is_open = false;            ///< to a room below
-  std::optional<std::size_t> hole_above; ///< void of the room
+  int floor = -1;                         ///< detail of the floor, -1: none
+  int ceiling = -1;                       ///< detail of the ceiling, -1: none
+  bool floor_is_open = false;             ///< to a room below
+  std::optional<std::size_t> hole_above;  ///< void of the room
 };
 
 /** @brief A side of a triangle where the room ends, or its floor or ceiling changes. */

@@ -22,7 +22,7 @@ public:
   /** @brief Adds jambs, sill, head and pane of an opening that a room gives. */
   void addReveal(const Room& room, const RoomPlan& plan, const Opening& opening)
   {
-    const Element& wall = room.outline.elements[opening.wall];
+    const Element& wall = room.boundary.elements[opening.wall];
     const Vec3 low(0.0, 0.0, opening.sill);
     const Vec3 high(0.0, 0.0, opening.head);
     const auto at = [&](double s, double depth) {
@@ -53,17 +53,15 @@ public:
   {
     const Room& above = scene_.rooms[*hole.leads_to];
     const Vec2 inside = pointInside(hole.loop);
-    addSides(hole.loop,
-             slabOf(room, regionAt(room, inside, Layer::Ceiling), Layer::Ceiling),
-             slabOf(above, regionAt(above, inside, Layer::Floor), Layer::Floor));
+    addSides(hole.loop, room.ceilingSlab(room.detailAt(inside)),
+             above.floorSlab(above.floorDetailAt(inside)));
   }
 
   /** @brief Adds sides and top of the space above a suspended ceiling. */
   void addPlenum(const Room& room, const RoomPlan& plan)
   {
-    Slab top = room.ceiling;
-    top.height += room.plenum;
-    addSides(room.outline, room.ceiling, top);
+    const Slab top = raised(room.ceiling, room.plenum);
+    addSides(room.boundary, room.ceiling, top);
     for (const Loop& column : room.columns)
       addSides(column, room.ceiling, top);
     for (const PlanTriangle& triangle : plan.triangles) {
@@ -72,7 +70,7 @@ public:
       Triangle corners{};
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec2& point = plan.points[triangle.corners[k]];
-        corners[k] = result_.addVertex(lifted(point, heightAt(top, point)));
+        corners[k] = result_.addVertex(lifted(point, top.heightAt(point)));
       }
       result_.addFace(corners, Surface::Object);
     }
@@ -80,12 +78,9 @@ public:
 
   void addObjects(const std::vector<Object>& objects)
   {
-    for (const Object& object : objects) {
-      for (const Box& box : object.boxes)
-        addBox(box);
-      for (const Cylinder& cylinder : object.cylinders)
-        addCylinder(cylinder);
-    }
+    for (const Object& object : objects)
+      for (const Prism& part : object.parts)
+        addPrism(part);
   }
 
 private:
@@ -107,7 +102,7 @@ private:
   void addSides(const Loop& loop, const Slab& low, const Slab& high)
   {
     const auto raised = [](const Vec2& point, const Slab& slab) {
-      return lifted(point, heightAt(slab, point));
+      return lifted(point, slab.heightAt(point));
     };
     for (const Element& element : loop.elements) {
       const std::vector<double> ends = chordEnds(element);
@@ -119,9 +114,9 @@ private:
     }
   }
 
-  /** @brief Adds an upright prism over a convex polygon. */
-  void addPrism(const std::vector<Vec2>& corners, double low, double high)
+  void addPrism(const Prism& prism)
   {
+    const auto& [corners, low, high] = prism;
     Vec2 middle = Vec2::Zero();
     for (const Vec2& corner : corners)
       middle += corner / static_cast<double>(corners.size());
@@ -140,24 +135,6 @@ private:
           result_.addFace({first, next - 1, next}, Surface::Object, Label::Other, room);
       }
     }
-  }
-
-  void addBox(const Box& box)
-  {
-    addPrism(cornersOf(box), box.center.z() - 0.5 * box.size.z(),
-             box.center.z() + 0.5 * box.size.z());
-  }
-
-  void addCylinder(const Cylinder& cylinder)
-  {
-    std::vector<Vec2> corners;
-    for (const Element& half :
-         circleLoop(plan(cylinder.base), cylinder.radius).elements) {
-      const std::vector<double> ends = chordEnds(half);
-      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-        corners.push_back(half.pointAt(ends[i]));
-    }
-    addPrism(corners, cylinder.base.z(), cylinder.base.z() + cylinder.height);
   }
 
   const Scene& scene_;
@@ -202,8 +179,7 @@ meshOf(const Scene& scene)
                      floor_voids[i], result);
     }
     catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(placeOf("rooms", i) +
-                                  " cannot be built: " + error.what());
+      fail(placeOf("rooms", i), " cannot be built: ", error.what());
     }
     for (std::size_t k = 0; k < room.openings.size(); ++k)
       surroundings.addReveal(room, plan, openings[i][k]);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -32,12 +31,10 @@ clipped(const Polygon& polygon, const Vec2& normal, double limit)
   return kept;
 }
 
-SlabDetail
+PlanDetail
 facetOver(const Polygon& corners, const Slab& slab)
 {
-  SlabDetail facet(loopOf(corners), slab);
-  facet.is_facet = true;
-  return facet;
+  return {loopOf(corners), {}, slab, true};
 }
 
 } // namespace
@@ -50,7 +47,7 @@ facetStepsOf(double radius)
           radius + mean_share * kCurveTolerance};
 }
 
-std::vector<SlabDetail>
+std::vector<PlanDetail>
 facetsOf(const Vault& vault, const Loop& loop)
 {
   const Vec2 across = rotated({0.0, 1.0}, vault.direction);
@@ -59,13 +56,13 @@ facetsOf(const Vault& vault, const Loop& loop)
   double high = -low;
   for (const Element& side : loop.elements) {
     if (side.isArc())
-      throw std::invalid_argument("A vault needs straight sides");
+      fail("A vault needs straight sides");
     polygon.push_back(side.start - vault.at);
     low = std::min(low, polygon.back().dot(across));
     high = std::max(high, polygon.back().dot(across));
   }
   if (std::max(high, -low) > vault.radius + kSamePoint)
-    throw std::invalid_argument("A vault does not reach the sides of its loop");
+    fail("A vault does not reach the sides of its loop");
   const FacetSteps steps = facetStepsOf(vault.radius);
   const double first = std::asin(std::max(-1.0, low / steps.radius));
   const double last = std::asin(std::min(1.0, high / steps.radius));
@@ -77,7 +74,7 @@ facetsOf(const Vault& vault, const Loop& loop)
                              : steps.radius * std::sin(angle),
                 vault.height + steps.radius * std::cos(angle));
   };
-  std::vector<SlabDetail> facets;
+  std::vector<PlanDetail> facets;
   for (int k = 0; k < count; ++k) {
     const Vec2 from = edgeAt(k); // across, up
     const Vec2 to = edgeAt(k + 1);
@@ -86,12 +83,13 @@ facetsOf(const Vault& vault, const Loop& loop)
     for (Vec2& corner : band)
       corner += vault.at;
     facets.push_back(
-        facetOver(band, {from.y(), slope * across, vault.at + from.x() * across}));
+        facetOver(band, planeThrough(lifted(vault.at + from.x() * across, from.y()),
+                                     slope * across)));
   }
   return facets;
 }
 
-std::vector<SlabDetail>
+std::vector<PlanDetail>
 facetsOf(const Dome& dome)
 {
   const FacetSteps steps = facetStepsOf(dome.radius);
@@ -108,11 +106,11 @@ facetsOf(const Dome& dome)
   const auto heightAt = [&](int ring) {
     return dome.height + dome.up * steps.radius * std::cos(out * ring / rings);
   };
-  std::vector<SlabDetail> facets;
+  std::vector<PlanDetail> facets;
   std::vector<Vec2> top;
   for (int ray = 0; ray < rays; ++ray)
     top.push_back(placeAt(1, ray));
-  facets.push_back(facetOver(top, {heightAt(1)}));
+  facets.push_back(facetOver(top, horizontalSlab(heightAt(1))));
   for (int ring = 1; ring < rings; ++ring)
     for (int ray = 0; ray < rays; ++ray) {
       const std::vector<Vec2> corners{placeAt(ring + 1, ray),
@@ -124,34 +122,35 @@ facetsOf(const Dome& dome)
       const Vec2 uphill = leftOf((corners[1] - corners[0]).normalized());
       const double rise = heightAt(ring + 1) - heightAt(ring);
       const double slope = rise / (outer - inner).dot(uphill);
-      facets.push_back(facetOver(corners, {heightAt(ring), slope * uphill, inner}));
+      facets.push_back(facetOver(
+          corners, planeThrough(lifted(inner, heightAt(ring)), slope * uphill)));
     }
   return facets;
 }
 
-std::vector<SlabDetail>
+std::vector<PlanDetail>
 ribsOf(const Room& room, const RibFamily& family)
 {
   const Vec2 along(std::cos(family.direction), std::sin(family.direction));
   const Vec2 across = leftOf(along);
   Box2 bounds; // along and across
-  for (const Element& wall : room.outline.elements)
+  for (const Element& wall : room.boundary.elements)
     bounds.extend(Vec2(wall.start.dot(along), wall.start.dot(across)));
   const auto at = [&](double s, double t) { return Vec2(s * along + t * across); };
   const double start = bounds.min().x();
   const double end = bounds.max().x();
-  Slab underside = room.ceiling;
-  underside.height -= family.depth;
-  std::vector<SlabDetail> ribs;
+  const Slab underside = raised(room.ceiling, -family.depth);
+  std::vector<PlanDetail> ribs;
   double low = bounds.min().y() + family.first.value_or(0.5 * family.spacing) -
                0.5 * family.width;
   for (; low + family.width <= bounds.max().y() + kSamePoint; low += family.spacing) {
     if (low < bounds.min().y() - kSamePoint)
       continue;
     const double high = low + family.width;
-    ribs.emplace_back(
-        loopOf({at(start, low), at(end, low), at(end, high), at(start, high)}),
-        underside);
+    ribs.push_back(
+        {loopOf({at(start, low), at(end, low), at(end, high), at(start, high)}),
+         {},
+         underside});
   }
   return ribs;
 }

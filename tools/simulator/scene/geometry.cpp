@@ -5,6 +5,14 @@
 
 namespace pcl::sedr::sim {
 
+std::string
+placeText(const Vec2& point)
+{
+  std::ostringstream text;
+  text << " at (" << point.x() << ", " << point.y() << ")";
+  return text.str();
+}
+
 Element
 elementBetween(const Vec2& start, const Vec2& end, double bulge)
 {

@@ -10,6 +10,9 @@
 
 #include <cmath>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 /** @file Plan geometry of scenes, metres and radians. Outlines are the loops of
@@ -65,6 +68,19 @@ inline Vec3
 lifted(const Vec2& p, double z)
 {
   return {p.x(), p.y(), z};
+}
+
+/** @brief Returns a point as " at (x, y)". */
+std::string placeText(const Vec2& point);
+
+/** @brief Throws std::invalid_argument with the sentence that the parts make up. */
+template <typename... Parts>
+[[noreturn]] void
+fail(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  throw std::invalid_argument(text.str());
 }
 
 /** @brief Returns the arc from @p start to @p end; a segment if @p bulge is 0.

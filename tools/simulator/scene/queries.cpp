@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-#include <sstream>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -18,83 +15,36 @@ constexpr double kStoreyStep = 1.5;
 void
 checkGap(const Room& room, const WallGap& gap, const std::string& place)
 {
-  const auto& walls = room.outline.elements;
+  const auto& walls = room.boundary.elements;
   if (gap.wall >= walls.size())
-    throw std::invalid_argument(place + " lies on no wall");
+    fail(place, " lies on no wall");
   if (!(gap.from >= 0.0 && gap.from < gap.to && gap.to <= walls[gap.wall].length()))
-    throw std::invalid_argument(place + " does not lie within its wall");
+    fail(place, " does not lie within its wall");
   if (!(gap.sill < gap.head && gap.depth > 0.0))
-    throw std::invalid_argument(place + " has no height or depth");
+    fail(place, " has no height or depth");
 }
 
 double
 floorOf(const Room& room)
 {
-  return heightAt(room.floor, pointInside(room.outline));
-}
-
-double
-heightOf(const Room& room, const Vec2& point, Layer layer)
-{
-  return heightAt(slabOf(room, regionAt(room, point, layer), layer), point);
+  return room.floor.heightAt(pointInside(room.boundary));
 }
 
 } // namespace
 
-const std::vector<SlabDetail>&
-detailsOf(const Room& room, Layer layer)
-{
-  return layer == Layer::Floor ? room.floor_details : room.details;
-}
-
-Region
-regionAt(const Room& room, const Vec2& point, Layer layer)
-{
-  if (!isInRoom(room, point))
-    return kVoid;
-  const auto& details = detailsOf(room, layer);
-  for (std::size_t i = details.size(); i > 0; --i)
-    if (details[i - 1].contains(point))
-      return static_cast<Region>(i);
-  return kMain;
-}
-
-const Slab&
-slabOf(const Room& room, Region region, Layer layer)
-{
-  if (region <= kMain)
-    return layer == Layer::Floor ? room.floor : room.ceiling;
-  return detailsOf(room, layer)[static_cast<std::size_t>(region - 1)].slab;
-}
-
 Label
-labelOf(const Room& room, Region region, Layer layer)
+labelOf(const Room& room, int detail, Layer layer)
 {
-  const Label whole = layer == Layer::Floor ? Label::Floor : Label::Ceiling;
-  if (region == kMain)
+  const bool is_floor = layer == Layer::Floor;
+  const Label whole = is_floor ? Label::Floor : Label::Ceiling;
+  if (detail < 0)
     return whole;
-  const auto& detail = detailsOf(room, layer)[static_cast<std::size_t>(region - 1)];
-  return detail.is_wall ? Label::Wall : detail.is_facet ? whole : Label::Detail;
-}
-
-bool
-isInRoom(const Room& room, const Vec2& point)
-{
-  return room.outline.contains(point) &&
-         std::none_of(room.columns.begin(), room.columns.end(),
-                      [&](const Loop& column) { return column.contains(point); });
-}
-
-double
-floorBelow(const Room& room, const Vec2& point)
-{
-  return heightOf(room, point, Layer::Floor);
-}
-
-double
-ceilingAbove(const Room& room, const Vec2& point)
-{
-  return heightOf(room, point, Layer::Ceiling);
+  const auto& details = detailsOf(room, layer);
+  const auto index = static_cast<std::size_t>(detail);
+  const std::size_t walls = is_floor ? room.floor_walls : room.ceiling_walls;
+  return index + walls >= details.size() ? Label::Wall
+         : details[index].is_facet       ? whole
+                                         : Label::Detail;
 }
 
 std::uint32_t
@@ -105,10 +55,10 @@ roomAt(const Scene& scene, const Vec3& point)
   const Vec2 place = plan(point);
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const Room& room = scene.rooms[i];
-    if (!room.outline.contains(place))
+    if (!room.boundary.contains(place))
       continue;
-    const double distance = std::max({floorBelow(room, place) - point.z(),
-                                      point.z() - ceilingAbove(room, place), 0.0});
+    const double distance = std::max(
+        {room.floorAt(place) - point.z(), point.z() - room.ceilingAt(place), 0.0});
     if (distance < least) {
       least = distance;
       nearest = static_cast<std::uint32_t>(i + 1);
@@ -123,21 +73,10 @@ placeOf(const std::string& list, std::size_t index)
   return list + '[' + std::to_string(index) + ']';
 }
 
-std::vector<Vec2>
-cornersOf(const Box& box)
-{
-  std::vector<Vec2> corners;
-  for (const Vec2& sign :
-       {Vec2(-0.5, -0.5), Vec2(0.5, -0.5), Vec2(0.5, 0.5), Vec2(-0.5, 0.5)})
-    corners.push_back(plan(box.center) +
-                      rotated(sign.cwiseProduct(plan(box.size)), box.yaw));
-  return corners;
-}
-
 Element
 faceOf(const Room& room, const WallGap& gap)
 {
-  return room.outline.elements[gap.wall].part(gap.from, gap.to);
+  return room.boundary.elements[gap.wall].part(gap.from, gap.to);
 }
 
 Opening
@@ -146,8 +85,8 @@ otherSideOf(const Scene& scene, std::size_t room, std::size_t index)
   const Opening& opening = scene.rooms[room].openings[index];
   const Element far = offsetRight(faceOf(scene.rooms[room], opening), opening.depth);
   const Room& target = scene.rooms[*opening.leads_to];
-  for (std::size_t i = 0; i < target.outline.elements.size(); ++i) {
-    const Element& behind = target.outline.elements[i];
+  for (std::size_t i = 0; i < target.boundary.elements.size(); ++i) {
+    const Element& behind = target.boundary.elements[i];
     const auto from = locate(behind, far.end, kMatch);
     const auto to = locate(behind, far.start, kMatch);
     if (!from || !to || !(*from < *to))
@@ -159,11 +98,9 @@ otherSideOf(const Scene& scene, std::size_t room, std::size_t index)
     other.leads_to = room;
     return other;
   }
-  std::ostringstream reason;
-  reason << placeOf(placeOf("rooms", room) + ".openings", index) << " leads to room '"
-         << target.name << "', which has no wall there, " << opening.depth
-         << " m behind this one";
-  throw std::invalid_argument(reason.str());
+  fail(placeOf(placeOf("rooms", room) + ".openings", index), " leads to room '",
+       target.name, "', which has no wall there, ", opening.depth,
+       " m behind this one");
 }
 
 std::vector<std::vector<Opening>>
@@ -174,8 +111,8 @@ openingsByRoom(const Scene& scene)
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const Room& room = scene.rooms[i];
     const std::string place = placeOf("rooms", i);
-    for (std::size_t k = 0; k < room.niches.size(); ++k)
-      checkGap(room, room.niches[k], placeOf(place + ".niches", k));
+    for (std::size_t k = 0; k < room.wall_niches.size(); ++k)
+      checkGap(room, room.wall_niches[k], placeOf(place + ".niches", k));
     for (std::size_t k = 0; k < room.openings.size(); ++k) {
       checkGap(room, room.openings[k], placeOf(place + ".openings", k));
       openings[i].push_back(room.openings[k]);
@@ -207,26 +144,23 @@ std::vector<std::size_t>
 storeysOf(const Scene& scene)
 {
   const auto& rooms = scene.rooms;
-  std::vector<std::size_t> order(rooms.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return floorOf(rooms[a]) < floorOf(rooms[b]);
-  });
+  std::vector<double> floors;
+  for (const Room& room : rooms)
+    floors.push_back(floorOf(room));
+  std::vector<double> ascending = floors;
+  std::sort(ascending.begin(), ascending.end());
   std::vector<std::size_t> storeys(rooms.size(), 1);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const double step = floorOf(rooms[order[i]]) - floorOf(rooms[order[i - 1]]);
-    storeys[order[i]] = storeys[order[i - 1]] + (step >= kStoreyStep ? 1 : 0);
-  }
   for (std::size_t i = 0; i < rooms.size(); ++i) {
-    const Room* nearest = nullptr; // in height, of those that the scene numbers
-    const auto distance = [&](const Room& other) {
-      return std::abs(floorOf(other) - floorOf(rooms[i]));
-    };
-    for (const Room& other : rooms)
-      if (other.storey && (nearest == nullptr || distance(other) < distance(*nearest)))
-        nearest = &other;
-    if (rooms[i].storey || nearest != nullptr)
-      storeys[i] = rooms[i].storey ? *rooms[i].storey : *nearest->storey;
+    for (std::size_t k = 1; k < floors.size() && ascending[k] <= floors[i]; ++k)
+      storeys[i] += ascending[k] - ascending[k - 1] >= kStoreyStep ? 1 : 0;
+    double nearest = std::numeric_limits<double>::infinity(); // of numbered rooms
+    for (std::size_t k = 0; k < rooms.size(); ++k)
+      if (const double apart = std::abs(floors[k] - floors[i]);
+          rooms[k].storey && apart < nearest) {
+        nearest = apart;
+        storeys[i] = *rooms[k].storey;
+      }
+    storeys[i] = rooms[i].storey.value_or(storeys[i]);
   }
   return storeys;
 }

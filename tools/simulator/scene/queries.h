@@ -7,34 +7,32 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A part of a room's floor or ceiling: kVoid, kMain or detail number - 1. */
-using Region = int;
-constexpr Region kVoid = -1; ///< outside of the room, or inside a column
-constexpr Region kMain = 0;  ///< the floor or ceiling without its details
-
-/** @brief The two surfaces of a room whose plan is divided into regions. */
+/** @brief The two surfaces of a room whose plan is divided into parts. */
 enum class Layer { Floor, Ceiling };
 
 /** @brief Returns the details of a room's floor or ceiling. */
-const std::vector<SlabDetail>& detailsOf(const Room& room, Layer layer);
+inline const std::vector<PlanDetail>&
+detailsOf(const Room& room, Layer layer)
+{
+  return layer == Layer::Floor ? room.floor_details : room.details;
+}
 
-/** @brief Returns the region that contains @p point. */
-Region regionAt(const Room& room, const Vec2& point, Layer layer);
+/** @brief Returns the detail at a place, -1: none. */
+inline int
+detailAt(const Room& room, const Vec2& point, Layer layer)
+{
+  return layer == Layer::Floor ? room.floorDetailAt(point) : room.detailAt(point);
+}
 
-/** @brief Returns the plane of a region; for kVoid that of kMain. */
-const Slab& slabOf(const Room& room, Region region, Layer layer);
+/** @brief Returns the plane of a detail, for -1 that of the floor or ceiling. */
+inline const Slab&
+slabOf(const Room& room, int detail, Layer layer)
+{
+  return layer == Layer::Floor ? room.floorSlab(detail) : room.ceilingSlab(detail);
+}
 
-/** @brief Returns the label of a region other than kVoid. */
-Label labelOf(const Room& room, Region region, Layer layer);
-
-/** @brief Returns true if @p point is in the room's plan and in none of its columns. */
-bool isInRoom(const Room& room, const Vec2& point);
-
-/** @brief Returns z of the floor below @p point; beyond the room, its main plane. */
-double floorBelow(const Room& room, const Vec2& point);
-
-/** @brief Returns z of the ceiling above @p point; beyond the room, its main plane. */
-double ceilingAbove(const Room& room, const Vec2& point);
+/** @brief Returns the label of a detail, for -1 that of the floor or ceiling. */
+Label labelOf(const Room& room, int detail, Layer layer);
 
 /** @brief Returns the number of the room around @p point in the plan, from 1; 0: none.
  *
@@ -43,9 +41,6 @@ std::uint32_t roomAt(const Scene& scene, const Vec3& point);
 
 /** @brief Returns the place of an element of a list, as in "rooms[2]". */
 std::string placeOf(const std::string& list, std::size_t index);
-
-/** @brief Returns the corners of a box in plan, counter-clockwise. */
-std::vector<Vec2> cornersOf(const Box& box);
 
 /** @brief Returns the part of a wall's face that a gap cuts. */
 Element faceOf(const Room& room, const WallGap& gap);

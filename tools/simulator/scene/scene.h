@@ -3,6 +3,9 @@
 
 #include "geometry.h"
 
+#include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_segmentation/src/shapes/shape_fit.h"
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/structure_label.h>
 
 #include <cstddef>
@@ -19,43 +22,23 @@ namespace pcl::sedr::sim {
 
 using Label = StructureLabel;
 
-/** @brief A floor or ceiling: a plane, level unless it has a gradient. */
-struct Slab {
-  double height = 0.0;          ///< z at the origin
-  Vec2 gradient = Vec2::Zero(); ///< rise in metres per metre along x and y
-  Vec2 origin = Vec2::Zero();   ///< where the slab has that height
-};
+/** @brief A floor or ceiling: a plane. */
+using Slab = PlanSlab;
 
-/** @brief Returns z of the slab at @p point. */
-inline double
-heightAt(const Slab& slab, const Vec2& point)
+/** @brief Returns the plane higher by a distance. */
+inline Slab
+raised(Slab slab, double distance)
 {
-  return slab.height + slab.gradient.dot(point - slab.origin);
+  slab.plane[3] -= slab.plane[2] * distance;
+  return slab;
 }
 
-/** @brief A part of a ceiling or floor with a plane of its own.
- *
- * Examples: soffit, recess, coffer, beam; step, platform, pit. Where details of the
- * same ceiling or floor overlap, the later one replaces the earlier. Ceiling and floor
- * are independent of each other. What reaches out of the room is cut off. */
-struct SlabDetail {
-  SlabDetail(Loop outline, const Slab& plane)
-      : loop(std::move(outline))
-      , slab(plane)
-      , bounds(boundsOf(loop))
-  {}
-
-  bool contains(const Vec2& point) const
-  {
-    return bounds.contains(point) && loop.contains(point);
-  }
-
-  Loop loop;
-  Slab slab;
-  Box2 bounds;           ///< of the loop
-  bool is_facet = false; ///< part of a ceiling that is not level; labelled Ceiling
-  bool is_wall = false;  ///< a tilted wall, as seen from above
-};
+/** @brief Returns the rise of a plane in metres per metre along x and y. */
+inline Vec2
+gradientOf(const Slab& slab)
+{
+  return -slab.plane.head<2>() / slab.plane[2];
+}
 
 /** @brief A rectangle on a wall, behind which there is a space of some depth. */
 struct WallGap {
@@ -66,8 +49,6 @@ struct WallGap {
   double head = 0.0;    ///< upper z
   double depth = 0.0;   ///< behind the wall's face
 };
-
-using Niche = WallGap; ///< a recess with back, sides, bottom and lid
 
 /** @brief The pane of a window, in the middle of the reveal. */
 struct Glazing {
@@ -105,43 +86,32 @@ struct CeilingVoid {
   std::optional<std::size_t> leads_to = std::nullopt;
 };
 
-/** @brief A room: the space enclosed by floor, walls, ceiling and columns. */
-struct Room {
-  std::string name;
-  Loop outline; ///< counter-clockwise
-  Loop foot;    ///< outline at the floor; empty without tilts: see tiltWalls()
-  std::vector<double> tilts; ///< of its elements, radians, positive into the room
-  Slab floor;
-  Slab ceiling;
-  std::vector<SlabDetail> details; ///< of the ceiling
-  std::vector<SlabDetail> floor_details;
-  std::vector<Loop> columns; ///< counter-clockwise, floor to ceiling, away from walls
+/** @brief A room: the space enclosed by floor, walls, ceiling and columns.
+ *
+ * Parts of ceiling and floor are independent of each other. What reaches out of the
+ * room is cut off. */
+struct Room : PlanRoom {
+  Loop foot; ///< boundary at the floor, with its tilts; empty without: see tiltWalls()
+  std::size_t ceiling_walls = 0; ///< the last details that are tilted walls, from above
+  std::size_t floor_walls = 0;   ///< likewise, from below
   std::vector<Opening> openings;
-  std::vector<Niche> niches;
+  std::vector<WallGap> wall_niches; ///< with back, sides, bottom and lid
   std::vector<CeilingVoid> voids;
   double plenum = 0.0; ///< height of the closed space above the ceiling; 0: none
   std::optional<std::size_t> storey = std::nullopt; ///< from 1; empty: from its height
 };
 
-/** @brief A box with vertical sides, rotated about z. */
-struct Box {
-  Vec3 center;
-  Vec3 size;        ///< along its own x, y and z
-  double yaw = 0.0; ///< radians, counter-clockwise
-};
-
-/** @brief A vertical cylinder with lids. */
-struct Cylinder {
-  Vec3 base; ///< centre of the lower lid
-  double radius = 0.0;
-  double height = 0.0;
+/** @brief An upright prism over a convex polygon: a box, a cylinder in facets. */
+struct Prism {
+  std::vector<Vec2> corners; ///< counter-clockwise
+  double low = 0.0;
+  double high = 0.0;
 };
 
 /** @brief An object that is no structure: furniture, a door leaf, a tree, a facade. */
 struct Object {
   std::string name{};
-  std::vector<Box> boxes{};
-  std::vector<Cylinder> cylinders{};
+  std::vector<Prism> parts{};
 };
 
 /** @brief A scanner and its stations.

@@ -45,10 +45,10 @@ FacetSteps facetStepsOf(double radius);
 
 /** @brief Returns the facets of a vault over a convex loop with straight sides.
  * @throw std::invalid_argument if the loop extends beyond the cylinder or has arcs */
-std::vector<SlabDetail> facetsOf(const Vault& vault, const Loop& loop);
+std::vector<PlanDetail> facetsOf(const Vault& vault, const Loop& loop);
 
 /** @brief Returns the facets of a dome. */
-std::vector<SlabDetail> facetsOf(const Dome& dome);
+std::vector<PlanDetail> facetsOf(const Dome& dome);
 
 /** @brief Parallel ribs or beams below a ceiling, from wall to wall. */
 struct RibFamily {
@@ -66,16 +66,16 @@ struct RibFamily {
  * They extend over the bounds of the room: walls cut them, and so do details that come
  * after them in the room's list, as beams cut joists. A rib that would cross the wall
  * beside it at either end of the room is left out. */
-std::vector<SlabDetail> ribsOf(const Room& room, const RibFamily& family);
+std::vector<PlanDetail> ribsOf(const Room& room, const RibFamily& family);
 
-/** @brief Tilts walls of a room. The outline becomes that of the whole area in plan,
- * and `foot` the previous outline; the walls of openings and niches are renumbered.
+/** @brief Builds the walls whose elements are tilted. The boundary becomes that of the
+ * whole area in plan, and `foot` the previous one; the walls of openings and niches are
+ * renumbered.
  *
  * Arcs become cones, scanned as flat facets within kCurveTolerance.
- * @param tilts radians from the vertical of each wall, positive into the room
  * @throw std::invalid_argument if the floor at the wall is not level or the ceiling
  * above it has more than one plane. Likewise if the wall has an opening or a niche, or
  * does not meet the ceiling or a wall beside it */
-void tiltWalls(Room& room, const std::vector<double>& tilts);
+void tiltWalls(Room& room);
 
 } // namespace pcl::sedr::sim

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace pcl::sedr::sim {
 
@@ -28,10 +26,9 @@ struct Face {
 /** @brief Tilts the walls of one room. */
 class WallTilter {
 public:
-  WallTilter(Room& room, const std::vector<double>& tilts)
+  explicit WallTilter(Room& room)
       : room_(room)
-      , floor_(room.floor.height)
-      , tilts_(tilts)
+      , floor_(room.floor.heightAt(Vec2::Zero()))
   {}
 
   void run()
@@ -46,23 +43,23 @@ private:
   void checkRoom() const
   {
     const auto is_tilted = [this](const WallGap& gap) {
-      return tilts_[gap.wall] != 0.0;
+      return room_.boundary.elements[gap.wall].tilt != 0.0;
     };
     if (std::any_of(room_.openings.begin(), room_.openings.end(), is_tilted) ||
-        std::any_of(room_.niches.begin(), room_.niches.end(), is_tilted))
-      throw std::invalid_argument("a tilted wall has an opening or a niche");
-    if (room_.floor.gradient.squaredNorm() > 0.0)
-      throw std::invalid_argument("the floor is not level");
+        std::any_of(room_.wall_niches.begin(), room_.wall_niches.end(), is_tilted))
+      fail("a tilted wall has an opening or a niche");
+    if (gradientOf(room_.floor).squaredNorm() > 0.0)
+      fail("the floor is not level");
   }
 
   /** @brief Makes a face of every wall, and several of every tilted arc. */
   void collectFaces()
   {
-    for (std::size_t wall = 0; wall < tilts_.size(); ++wall) {
-      const Element& element = room_.outline.elements[wall];
-      Face face{element, wall, std::tan(tilts_[wall])};
+    for (std::size_t wall = 0; wall < room_.boundary.elements.size(); ++wall) {
+      const Element& element = room_.boundary.elements[wall];
+      Face face{element, wall, std::tan(element.tilt)};
       std::vector<Vec2> corners{element.start};
-      if (tilts_[wall] != 0.0 && element.isArc()) {
+      if (element.tilt != 0.0 && element.isArc()) {
         const FacetSteps steps = facetStepsOf(element.radius);
         const double sweep = element.sweep();
         const auto count = static_cast<int>(std::ceil(std::abs(sweep) / steps.angle));
@@ -73,7 +70,7 @@ private:
       }
       corners.push_back(element.end);
       for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        if (tilts_[wall] != 0.0)
+        if (element.tilt != 0.0)
           face.foot = elementBetween(corners[i], corners[i + 1]);
         face.inwards = leftOf((corners[i + 1] - corners[i]).normalized());
         face.offset = face.inwards.dot(corners[i]) - face.run * floor_;
@@ -91,8 +88,7 @@ private:
       const Vec2 head = faces_[(i + 1) % n].head - faces_[i].head;
       const Vec2 foot = faces_[i].foot.end - faces_[i].foot.start;
       if (faces_[i].run != 0.0 && head.dot(foot) <= 0.0)
-        throw std::invalid_argument("the head of wall " +
-                                    std::to_string(faces_[i].wall) + " has no length");
+        fail("the head of wall ", faces_[i].wall, " has no length");
     }
   }
 
@@ -109,8 +105,8 @@ private:
       way = (after.run * leftOf(before.inwards) - before.run * leftOf(after.inwards)) /
             turn;
     const Slab& top = ceilingBeside(after.run != 0.0 ? after : before, foot);
-    const double climb = 1.0 - top.gradient.dot(way);
-    return foot + (heightAt(top, foot) - floor_) / climb * way;
+    const double climb = 1.0 - gradientOf(top).dot(way);
+    return foot + (top.heightAt(foot) - floor_) / climb * way;
   }
 
   /** @brief Returns the ceiling inside of a tilted wall, near one end of its foot. */
@@ -118,8 +114,7 @@ private:
   {
     const double s =
         (end - face.foot.start).norm() < kNear ? kNear : face.foot.length() - kNear;
-    const Vec2 inside = pointBeside(face.foot, s, -kNear);
-    return slabOf(room_, regionAt(room_, inside, Layer::Ceiling), Layer::Ceiling);
+    return room_.ceilingSlab(room_.detailAt(pointBeside(face.foot, s, -kNear)));
   }
 
   /** @brief Makes the outline that of the whole area in plan; what lies between foot
@@ -127,8 +122,9 @@ private:
   void replaceOutline()
   {
     Loop outline;
-    std::vector<std::size_t> moved(tilts_.size()); // new number of each wall
-    std::vector<SlabDetail> ceiling_parts;
+    std::vector<std::size_t> moved(
+        room_.boundary.elements.size()); // new number of each wall
+    std::vector<PlanDetail> ceiling_parts;
     const auto add_corner = [&outline](const Vec2& end, const Element& shape) {
       const Vec2 start =
           outline.elements.empty() ? shape.start : outline.elements.back().end;
@@ -152,41 +148,42 @@ private:
       add_corner(after, elementBetween(edge.end, after));
       if (face.run != 0.0)
         (tilts_out ? room_.floor_details : ceiling_parts).push_back(partOf(face, next));
+      room_.floor_walls += tilts_out ? 1 : 0;
     }
     room_.details.insert(room_.details.end(), ceiling_parts.begin(),
                          ceiling_parts.end());
     for (Opening& opening : room_.openings)
       opening.wall = moved[opening.wall];
-    for (Niche& niche : room_.niches)
+    for (WallGap& niche : room_.wall_niches)
       niche.wall = moved[niche.wall];
-    room_.foot = room_.outline;
-    room_.tilts = tilts_;
-    room_.outline = outline;
+    room_.foot = room_.boundary;
+    room_.ceiling_walls = ceiling_parts.size();
+    room_.boundary = outline;
   }
 
-  SlabDetail partOf(const Face& face, const Face& next) const
+  PlanDetail partOf(const Face& face, const Face& next) const
   {
     const double slope = 1.0 / face.run;
-    // The origin is at the foot, where the plane meets the floor exactly.
-    SlabDetail part(loopOf({face.foot.start, face.foot.end, next.head, face.head}),
-                    {floor_, slope * face.inwards, face.foot.start});
-    part.is_wall = true;
-    return part;
+    // The plane meets the floor exactly at the foot.
+    return {loopOf({face.foot.start, face.foot.end, next.head, face.head}),
+            {},
+            planeThrough(lifted(face.foot.start, floor_), slope * face.inwards)};
   }
 
   Room& room_;
   const double floor_;
-  const std::vector<double>& tilts_; ///< of the walls, radians
   std::vector<Face> faces_;
 };
 
 } // namespace
 
 void
-tiltWalls(Room& room, const std::vector<double>& tilts)
+tiltWalls(Room& room)
 {
-  if (std::any_of(tilts.begin(), tilts.end(), [](double tilt) { return tilt != 0.0; }))
-    WallTilter(room, tilts).run();
+  const auto& walls = room.boundary.elements;
+  if (std::any_of(walls.begin(), walls.end(),
+                  [](const Element& wall) { return wall.tilt != 0.0; }))
+    WallTilter(room).run();
 }
 
 } // namespace pcl::sedr::sim

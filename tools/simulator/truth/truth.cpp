@@ -28,7 +28,7 @@ constexpr double kTallestStep = 0.4;
 Vec2
 placeBefore(const Room& room, const Opening& opening)
 {
-  return pointBeside(room.outline.elements[opening.wall],
+  return pointBeside(room.boundary.elements[opening.wall],
                      0.5 * (opening.from + opening.to), -1e-3);
 }
 
@@ -50,13 +50,13 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
 {
   const Room& here = scene.rooms[room];
   const Opening& near = here.openings[index];
-  double floor = floorBelow(here, placeBefore(here, near));
-  double ceiling = ceilingAbove(here, placeBefore(here, near));
+  double floor = here.floorAt(placeBefore(here, near));
+  double ceiling = here.ceilingAt(placeBefore(here, near));
   if (near.leads_to) {
     const Room& there = scene.rooms[*near.leads_to];
     const Vec2 behind = placeBefore(there, otherSideOf(scene, room, index));
-    floor = std::max(floor, floorBelow(there, behind));
-    ceiling = std::min(ceiling, ceilingAbove(there, behind));
+    floor = std::max(floor, there.floorAt(behind));
+    ceiling = std::min(ceiling, there.ceilingAt(behind));
   }
   const Element face = faceOf(here, near);
   const double width = near.to - near.from;
@@ -84,14 +84,15 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
 bool
 hasStairs(const Scene& scene, const Loop& loop, double top)
 {
-  const auto is_last_step = [&](const Box& box) {
-    const double below = top - (box.center.z() + 0.5 * box.size.z());
-    return loop.contains(plan(box.center)) && below > -1e-6 && below < kTallestStep;
+  const auto is_last_step = [&](const Prism& step) {
+    const double below = top - step.high;
+    const Vec2 middle = 0.5 * (step.corners[0] + step.corners[2]);
+    return loop.contains(middle) && below > -1e-6 && below < kTallestStep;
   };
   return std::any_of(
       scene.furniture.begin(), scene.furniture.end(), [&](const Object& object) {
         return object.name == kStairs &&
-               std::any_of(object.boxes.begin(), object.boxes.end(), is_last_step);
+               std::any_of(object.parts.begin(), object.parts.end(), is_last_step);
       });
 }
 
@@ -99,8 +100,8 @@ Json
 voidToJson(const Scene& scene, std::size_t room, const CeilingVoid& hole)
 {
   const Vec2 inside = pointInside(hole.loop);
-  const double bottom = ceilingAbove(scene.rooms[room], inside);
-  const double top = floorBelow(scene.rooms[*hole.leads_to], inside);
+  const double bottom = scene.rooms[room].ceilingAt(inside);
+  const double top = scene.rooms[*hole.leads_to].floorAt(inside);
   return {{"kind", hasStairs(scene, hole.loop, top) ? "stairs" : "void"},
           {"rooms", {room + 1, *hole.leads_to + 1}},
           {"bottom", bottom + scene.placement.shift.z()},
@@ -157,7 +158,7 @@ enclosedBy(const TriangleMesh& mesh, const Room& room, std::uint32_t number)
     const double area = 0.5 * mesh.scaledNormal(t).z();
     const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
     sum.volume += area * middle.z();
-    if (area == 0.0 || !room.outline.contains(plan(middle)))
+    if (area == 0.0 || !room.boundary.contains(plan(middle)))
       continue;
     sum.in_plan += area * middle.z();
     if (area > 0.0) {
@@ -177,23 +178,12 @@ loopsToJson(const Placement& placement, const std::vector<Loop>& loops)
   return list;
 }
 
-/** @brief Returns the outline at the floor, with the tilts of its elements. */
-Json
-boundaryToJson(const Room& room, const Loop& outline)
-{
-  Json elements = outline;
-  for (std::size_t i = 0; i < room.tilts.size(); ++i)
-    if (room.tilts[i] != 0.0)
-      elements[i]["tilt"] = room.tilts[i] * 180.0 / pi;
-  return elements;
-}
-
 Json
 roomToJson(const Scene& scene, std::size_t index, const TriangleMesh& truth)
 {
   const Room& room = scene.rooms[index];
   const auto number = static_cast<std::uint32_t>(index + 1);
-  const Loop& outline = room.foot.elements.empty() ? room.outline : room.foot;
+  const Loop& outline = room.foot.elements.empty() ? room.boundary : room.foot;
   double area = outline.area();
   double column_perimeter = 0.0;
   for (const Loop& column : room.columns) {
@@ -214,10 +204,10 @@ roomToJson(const Scene& scene, std::size_t index, const TriangleMesh& truth)
           {"column_perimeter", column_perimeter},
           {"height", enclosed.in_plan / enclosed.area},
           {"volume", enclosed.volume},
-          {"floor", heightAt(room.floor, centre) + shift},
-          {"ceiling", heightAt(room.ceiling, centre) + shift},
+          {"floor", room.floor.heightAt(centre) + shift},
+          {"ceiling", room.ceiling.heightAt(centre) + shift},
           {"storey", storeysOf(scene)[index]},
-          {"boundary", boundaryToJson(room, placed(scene.placement, outline))},
+          {"boundary", placed(scene.placement, outline)},
           {"columns", loopsToJson(scene.placement, room.columns)},
           {"voids", loopsToJson(scene.placement, voids)},
           {"floor_voids", loopsToJson(scene.placement, floorVoidsOf(scene)[index])}};

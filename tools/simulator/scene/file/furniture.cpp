@@ -154,13 +154,32 @@ Assembly::Assembly(std::string name, const Spot& spot)
 void
 Assembly::addBox(const Vec3& low, const Vec3& high)
 {
-  object.boxes.push_back({moved(0.5 * (low + high)), high - low, spot_.yaw});
+  addBox(0.5 * (low + high), high - low, 0.0);
+}
+
+void
+Assembly::addBox(const Vec3& center, const Vec3& size, double yaw)
+{
+  const Vec3 middle = moved(center);
+  Prism box{{}, middle.z() - 0.5 * size.z(), middle.z() + 0.5 * size.z()};
+  for (const Vec2& sign :
+       {Vec2(-0.5, -0.5), Vec2(0.5, -0.5), Vec2(0.5, 0.5), Vec2(-0.5, 0.5)})
+    box.corners.push_back(plan(middle) +
+                          rotated(sign.cwiseProduct(plan(size)), spot_.yaw + yaw));
+  object.parts.push_back(std::move(box));
 }
 
 void
 Assembly::addCylinder(const Vec3& base, double radius, double height)
 {
-  object.cylinders.push_back({moved(base), radius, height});
+  const Vec3 foot = moved(base);
+  Prism cylinder{{}, foot.z(), foot.z() + height};
+  for (const Element& half : circleLoop(plan(foot), radius).elements) {
+    const std::vector<double> ends = chordEnds(half);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      cylinder.corners.push_back(half.pointAt(ends[i]));
+  }
+  object.parts.push_back(std::move(cylinder));
 }
 
 Vec3

@@ -26,6 +26,10 @@ public:
   /** @brief Adds a box by its lower and upper corner. */
   void addBox(const Vec3& low, const Vec3& high);
 
+  /** @brief Adds a box by its centre, turned about z. */
+  void addBox(const Vec3& center, const Vec3& size, double yaw);
+
+  /** @brief Adds a cylinder in facets within kCurveTolerance. */
   void addCylinder(const Vec3& base, double radius, double height);
 
   Object object;

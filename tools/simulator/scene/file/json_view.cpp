@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "json_view.h"
 
-#include <sstream>
-#include <stdexcept>
+#include "sedr_filters/src/base/number_text.h"
 
 namespace pcl::sedr::sim {
 
@@ -75,11 +74,8 @@ double
 JsonView::number(double low, double high) const
 {
   const double value = value_.is_number() ? value_.get<double>() : std::nan("");
-  if (!(value >= low && value <= high)) {
-    std::ostringstream text;
-    text << "a number from " << low << " to " << high;
-    failToBe(text.str());
-  }
+  if (!(value >= low && value <= high))
+    failToBe("a number from " + numberText(low) + " to " + numberText(high));
   return value;
 }
 
@@ -124,7 +120,7 @@ JsonView::size3() const
 void
 JsonView::fail(const std::string& sentence) const
 {
-  throw std::invalid_argument(place() + ' ' + sentence);
+  sim::fail(place(), ' ', sentence);
 }
 
 void

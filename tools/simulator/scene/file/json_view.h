@@ -23,6 +23,8 @@ class JsonView {
 public:
   using Seen = std::set<const nlohmann::json*>;
 
+  static constexpr double kSmallest = 1e-4; ///< of a length, metres
+
   JsonView(const nlohmann::json& value, Seen& seen, std::string place = {})
       : value_(value)
       , seen_(seen)
@@ -58,10 +60,13 @@ public:
   double number(double low = -kFarthest, double high = kFarthest) const;
 
   /** @brief Returns the number at @p key, or @p otherwise if the key is missing. */
-  double numberOr(const std::string& key, double otherwise) const
+  double numberOr(const std::string& key,
+                  double otherwise,
+                  double low = -kFarthest,
+                  double high = kFarthest) const
   {
     const auto value = find(key);
-    return value ? value->number() : otherwise;
+    return value ? value->number(low, high) : otherwise;
   }
 
   /** @brief Returns an angle given in degrees, radians. */
@@ -70,8 +75,8 @@ public:
     return number(low, high) * pi / 180.0;
   }
 
-  /** @brief Returns a length of at least 0.1 mm. */
-  double size() const { return number(1e-4); }
+  /** @brief Returns a length of at least kSmallest. */
+  double size() const { return number(kSmallest); }
 
   /** @brief Returns a whole number from @p least to @p most. */
   std::size_t count(std::size_t least, std::size_t most) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_parts.h"
 
-#include <sstream>
+#include "sedr_filters/src/base/number_text.h"
 
 namespace pcl::sedr::sim {
 
@@ -47,10 +47,9 @@ readBulge(const JsonView& corner, double chord)
   }
   const double radius = corner.at("radius").number();
   if (std::abs(radius) < 0.5 * chord) {
-    std::ostringstream text;
-    text << "is " << radius << ", too small for an arc to a corner " << chord
-         << " m away";
-    corner.at("radius").fail(text.str());
+    corner.at("radius").fail("is " + numberText(radius) +
+                             ", too small for an arc to a corner " + numberText(chord) +
+                             " m away");
   }
   return std::tan(0.5 * std::asin(0.5 * chord / radius));
 }

@@ -50,7 +50,7 @@ private:
 
   void add(const JsonView& view, Object object)
   {
-    parts_ += object.boxes.size() + object.cylinders.size();
+    parts_ += object.parts.size();
     if (parts_ > kMostParts)
       view.fail("makes more than " + std::to_string(kMostParts) + " parts");
     objects_.push_back(std::move(object));
@@ -81,10 +81,9 @@ private:
   /** @param footprint width and depth of an object */
   std::vector<Spot> spotsAtWall(const JsonView& view, const Vec2& footprint) const
   {
-    const auto& walls = room_->outline.elements;
+    const auto& walls = room_->boundary.elements;
     const Element& wall = walls[view.at("wall").count(0, walls.size() - 1)];
-    const auto gap = view.find("gap");
-    const double behind = gap ? gap->number(0.0, 100.0) : kGap;
+    const double behind = view.numberOr("gap", kGap, 0.0, 100.0);
     const double first = view.at("s").number();
     std::size_t count = 1;
     double between = 0.0; // objects of a row
@@ -113,18 +112,18 @@ private:
     if (!room_)
       return view.numberOr("floor", 0.0);
     requireWithin(view, point);
-    return floorBelow(*room_, point) + view.numberOr("raise", 0.0);
+    return room_->floorAt(point) + view.numberOr("raise", 0.0);
   }
 
   double ceilingAt(const JsonView& view, const Vec2& point) const
   {
     requireWithin(view, point);
-    return ceilingAbove(*room_, point);
+    return room_->ceilingAt(point);
   }
 
   void requireWithin(const JsonView& view, const Vec2& point) const
   {
-    if (!isInRoom(*room_, point))
+    if (!room_->contains(point))
       view.fail("is not within its room");
   }
 
@@ -139,20 +138,16 @@ private:
   void readObject(const JsonView& view)
   {
     const auto name = view.find("name");
-    Object object{name ? name->text() : "object"};
-    const auto moved = [this](const Vec3& point) {
-      return lifted(toScene(plan(point)), point.z());
-    };
+    Assembly assembly(name ? name->text() : "object", {origin_, yaw_, 0.0});
     for (const JsonView& box : view.itemsOf("boxes"))
-      object.boxes.push_back(
-          {moved(box.at("center").point3()), box.at("size").size3(), yawOf(box)});
+      assembly.addBox(box.at("center").point3(), box.at("size").size3(),
+                      box.numberOr("yaw", 0.0) * pi / 180.0);
     for (const JsonView& cylinder : view.itemsOf("cylinders"))
-      object.cylinders.push_back({moved(cylinder.at("base").point3()),
-                                  cylinder.at("radius").size(),
-                                  cylinder.at("height").size()});
-    if (object.boxes.empty() && object.cylinders.empty())
+      assembly.addCylinder(cylinder.at("base").point3(), cylinder.at("radius").size(),
+                           cylinder.at("height").size());
+    if (assembly.object.parts.empty())
       view.fail("has neither boxes nor cylinders");
-    add(view, std::move(object));
+    add(view, std::move(assembly.object));
   }
 
   /** @brief Reads objects repeated at several places, each [x, y] or [x, y, yaw]. */

@@ -94,7 +94,7 @@ Object
 readLobby(const JsonView& view, const Room& room, const Opening& opening)
 {
   constexpr double thickness = 0.1;
-  const Element& wall = room.outline.elements[opening.wall];
+  const Element& wall = room.boundary.elements[opening.wall];
   const double middle = 0.5 * (opening.from + opening.to);
   const double depth = view.at("depth").size();
   const double height = view.at("height").number(opening.head - opening.sill);
@@ -117,11 +117,11 @@ double
 floorAlong(const Room& room, const WallGap& gap)
 {
   constexpr int steps = 8;
-  const Element& wall = room.outline.elements[gap.wall];
+  const Element& wall = room.boundary.elements[gap.wall];
   double highest = -std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
     const double s = gap.from + (gap.to - gap.from) * i / steps;
-    highest = std::max(highest, floorBelow(room, pointBeside(wall, s, -1e-3)));
+    highest = std::max(highest, room.floorAt(pointBeside(wall, s, -1e-3)));
   }
   return highest;
 }
@@ -130,10 +130,8 @@ Glazing
 readGlazing(const JsonView& view)
 {
   Glazing glazing;
-  if (const auto share = view.find("return_share"))
-    glazing.return_share = share->number(0.0, 1.0);
-  if (const auto share = view.find("mirror_share"))
-    glazing.mirror_share = share->number(0.0, 1.0);
+  glazing.return_share = view.numberOr("return_share", glazing.return_share, 0.0, 1.0);
+  glazing.mirror_share = view.numberOr("mirror_share", glazing.mirror_share, 0.0, 1.0);
   if (glazing.return_share + glazing.mirror_share > 1.0)
     view.fail("has shares of more than 1 together");
   return glazing;
@@ -168,7 +166,7 @@ WallGap
 readGap(const JsonView& view, const Room& room)
 {
   WallGap gap;
-  gap.wall = view.at("wall").count(0, room.outline.elements.size() - 1);
+  gap.wall = view.at("wall").count(0, room.boundary.elements.size() - 1);
   gap.from = view.at("from").number();
   gap.to = view.at("to").number();
   gap.sill = view.numberOr("sill", floorAlong(room, gap));
@@ -186,7 +184,7 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
     opening.leads_to = roomNamed(*target, scene);
   if (const auto glazing = view.find("glazing"))
     opening.glazing = readGlazing(*glazing);
-  const Element& wall = room.outline.elements[opening.wall];
+  const Element& wall = room.boundary.elements[opening.wall];
   const double height = opening.head - opening.sill;
   if (const auto leaf = view.find("leaf")) {
     opening.leaf = readLeaf(*leaf);

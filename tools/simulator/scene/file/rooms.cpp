@@ -17,46 +17,52 @@ constexpr std::size_t kMostStoreys = 200;
 constexpr std::size_t kMostRibs = 5000; ///< of a family
 constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
 
+/** @brief A floor or ceiling as the file gives it: its height at a place. */
+struct GivenSlab {
+  Slab slab;
+  Vec2 at = Vec2::Zero();
+};
+
 /** @brief Reads a plane: its height, or its height, slope and direction.
- * @param origin default of the point that has that height */
-Slab
-readSlab(const JsonView& view, Vec2 origin)
+ * @param otherwise default of the place that has that height */
+GivenSlab
+readSlab(const JsonView& view, const Vec2& otherwise)
 {
   if (!view.isObject())
-    return {view.number(), Vec2::Zero(), Vec2::Zero()};
-  const auto at = view.find("at");
+    return {horizontalSlab(view.number())};
+  const auto given = view.find("at");
+  const Vec2 at = given ? given->point2() : otherwise;
   const double slope = view.at("slope").angle(0.0, kSteepest);
   const double towards = view.at("towards").angle();
-  return {view.at("height").number(), rotated({std::tan(slope), 0.0}, towards),
-          at ? at->point2() : origin};
+  return {planeThrough(lifted(at, view.at("height").number()),
+                       rotated({std::tan(slope), 0.0}, towards)),
+          at};
 }
 
 /** @brief Reads a part of the floor or ceiling: its own plane, or parallel to @p whole.
  * @param offset key of the distance from @p whole
  * @param upwards direction of that distance: 1 or -1 */
-SlabDetail
-readSlabDetail(const JsonView& view, const Slab& whole, const char* offset, int upwards)
+PlanDetail
+readDetail(const JsonView& view,
+           const GivenSlab& whole,
+           const char* offset,
+           int upwards)
 {
   const auto height = view.find("height");
   const auto distance = view.find(offset);
   if (height.has_value() == distance.has_value())
     view.fail(std::string("must have either \"height\" or \"") + offset + '"');
-  Slab slab = whole;
-  if (height)
-    slab = readSlab(*height, whole.origin);
-  else
-    slab.height += upwards * distance->number();
-  return {readLoop(view.at("loop")), slab};
+  return {readLoop(view.at("loop")),
+          {},
+          height ? readSlab(*height, whole.at).slab
+                 : raised(whole.slab, upwards * distance->number())};
 }
 
 RibFamily
 readRibFamily(const JsonView& view)
 {
-  RibFamily family;
-  family.direction = view.at("direction").angle();
-  family.spacing = view.at("spacing").number(kNarrowest);
-  family.width = view.at("width").size();
-  family.depth = view.at("depth").size();
+  RibFamily family{view.at("direction").angle(), view.at("spacing").number(kNarrowest),
+                   view.at("width").size(), view.at("depth").size()};
   if (!(family.width < family.spacing))
     view.at("width").fail("is not less than the spacing of the ribs");
   if (const auto first = view.find("first"))
@@ -69,21 +75,24 @@ void
 readRibs(const JsonView& view, Room& room)
 {
   const RibFamily family = readRibFamily(view);
-  for (const Element& wall : room.outline.elements)
+  for (const Element& wall : room.boundary.elements)
     if (wall.isArc())
       view.fail("needs a room with straight walls");
-  std::vector<SlabDetail> ribs = ribsOf(room, family);
+  std::vector<PlanDetail> ribs = ribsOf(room, family);
   if (ribs.size() > kMostRibs)
     view.fail("makes more than " + std::to_string(kMostRibs) + " ribs");
   std::move(ribs.begin(), ribs.end(), std::back_inserter(room.details));
 }
 
-/** @brief Reads what makes an ellipsoid of the sphere of a dome. */
-void
-readScale(const JsonView& view, Dome& dome)
+Dome
+readDome(const JsonView& view)
 {
+  Dome dome{view.at("at").point2(), view.at("height").number(),
+            view.at("radius").size(), view.at("rim").size()};
+  if (dome.rim > dome.radius)
+    view.at("rim").fail("is more than the radius of the dome");
   dome.direction = view.numberOr("direction", 0.0) * pi / 180.0;
-  if (const auto scale = view.find("scale")) {
+  if (const auto scale = view.find("scale")) { // makes an ellipsoid of the sphere
     const Vec3 factors = scale->size3();
     if (factors.maxCoeff() > 1.0)
       scale->fail("must not be more than 1");
@@ -91,44 +100,29 @@ readScale(const JsonView& view, Dome& dome)
     dome.across = factors.y();
     dome.up = factors.z();
   }
+  return dome;
 }
 
-/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a dome. */
-void
-readFacet(const JsonView& view, Room& room)
+/** @brief Reads a part of a ceiling that is not level: a slope, a vault or a dome. */
+std::vector<PlanDetail>
+readFacets(const JsonView& view, const GivenSlab& ceiling)
 {
-  const auto append = [&](std::vector<SlabDetail> facets) {
-    room.details.insert(room.details.end(), facets.begin(), facets.end());
-  };
-  if (const auto dome = view.find("dome")) {
-    Dome cap;
-    cap.at = dome->at("at").point2();
-    cap.height = dome->at("height").number();
-    cap.radius = dome->at("radius").size();
-    cap.rim = dome->at("rim").size();
-    if (cap.rim > cap.radius)
-      dome->at("rim").fail("is more than the radius of the dome");
-    readScale(*dome, cap);
-    append(facetsOf(cap));
-    return;
+  if (const auto dome = view.find("dome"))
+    return facetsOf(readDome(*dome));
+  const auto vault = view.find("vault");
+  if (!vault) {
+    PlanDetail slope = readDetail(view, ceiling, "drop", -1);
+    slope.is_facet = true;
+    return {slope};
   }
-  if (const auto vault = view.find("vault")) {
-    Vault barrel;
-    barrel.at = vault->at("at").point2();
-    barrel.direction = vault->at("direction").angle();
-    barrel.height = vault->at("height").number();
-    barrel.radius = vault->at("radius").size();
-    try {
-      append(facetsOf(barrel, readLoop(view.at("loop"))));
-    }
-    catch (const std::invalid_argument& error) {
-      view.fail(std::string("cannot be built: ") + error.what());
-    }
-    return;
+  const Vault barrel{vault->at("at").point2(), vault->at("direction").angle(),
+                     vault->at("height").number(), vault->at("radius").size()};
+  try {
+    return facetsOf(barrel, readLoop(view.at("loop")));
   }
-  SlabDetail slope = readSlabDetail(view, room.ceiling, "drop", -1);
-  slope.is_facet = true;
-  room.details.push_back(slope);
+  catch (const std::invalid_argument& error) {
+    view.fail(std::string("cannot be built: ") + error.what());
+  }
 }
 
 /** @brief Reads a hole in a ceiling; the names of all rooms must be known. */
@@ -147,28 +141,30 @@ readShell(const JsonView& view)
 {
   Room room;
   room.name = view.at("name").text();
-  room.outline = readLoop(view.at("outline"));
-  if (!(room.outline.area() > 0.0)) // otherwise walls and their objects would be lost
+  room.boundary = readLoop(view.at("outline"));
+  if (!(room.boundary.area() > 0.0)) // otherwise walls and their objects would be lost
     view.at("outline").fail("does not run counter-clockwise");
-  const Vec2 origin = room.outline.elements.front().start;
-  room.floor = readSlab(view.at("floor"), origin);
-  room.ceiling = readSlab(view.at("ceiling"), origin);
+  const Vec2 corner = room.boundary.elements.front().start;
+  const GivenSlab floor = readSlab(view.at("floor"), corner);
+  const GivenSlab ceiling = readSlab(view.at("ceiling"), corner);
+  room.floor = floor.slab;
+  room.ceiling = ceiling.slab;
   if (const auto storey = view.find("storey"))
     room.storey = storey->count(1, kMostStoreys);
-  if (const auto plenum = view.find("plenum"))
-    room.plenum = plenum->size();
+  room.plenum = view.numberOr("plenum", 0.0, JsonView::kSmallest);
   for (const JsonView& facet : view.itemsOf("facets"))
-    readFacet(facet, room);
+    for (PlanDetail& part : readFacets(facet, ceiling))
+      room.details.push_back(std::move(part));
   for (const JsonView& ribs : view.itemsOf("ribs"))
     readRibs(ribs, room);
   for (const JsonView& detail : view.itemsOf("floor_details"))
-    room.floor_details.push_back(readSlabDetail(detail, room.floor, "rise", 1));
+    room.floor_details.push_back(readDetail(detail, floor, "rise", 1));
   for (const JsonView& detail : view.itemsOf("ceiling_details"))
-    room.details.push_back(readSlabDetail(detail, room.ceiling, "drop", -1));
+    room.details.push_back(readDetail(detail, ceiling, "drop", -1));
   for (const JsonView& column : view.itemsOf("columns"))
     room.columns.push_back(readLoop(column));
   for (const JsonView& niche : view.itemsOf("niches"))
-    room.niches.push_back(readGap(niche, room));
+    room.wall_niches.push_back(readGap(niche, room));
   return room;
 }
 
@@ -176,12 +172,12 @@ readShell(const JsonView& view)
 void
 readTilts(const JsonView& view, Room& room)
 {
-  std::vector<double> tilts(room.outline.elements.size(), 0.0);
+  auto& walls = room.boundary.elements;
   for (const JsonView& item : view.itemsOf("tilts"))
-    tilts[item.at("wall").count(0, tilts.size() - 1)] =
+    walls[item.at("wall").count(0, walls.size() - 1)].tilt =
         item.at("tilt").angle(-kMostTilt, kMostTilt);
   try {
-    tiltWalls(room, tilts);
+    tiltWalls(room);
   }
   catch (const std::invalid_argument& error) {
     view.at("tilts").fail(std::string("cannot be built: ") + error.what());

@@ -34,8 +34,7 @@ parseDocument(const std::string& text)
       keys.pop_back();
     if (event == json::parse_event_t::key &&
         !keys.back().insert(value.get<std::string>()).second)
-      throw std::invalid_argument("the key " + value.dump() +
-                                  " is given twice in one object");
+      fail("the key ", value.dump(), " is given twice in one object");
     return true;
   };
   try {
@@ -44,8 +43,7 @@ parseDocument(const std::string& text)
   catch (const json::exception& error) {
     const std::string reason = error.what();
     const std::size_t start = reason.find("] "); // after the exception's number
-    throw std::invalid_argument(
-        "no JSON: " + (start == std::string::npos ? reason : reason.substr(start + 2)));
+    fail("no JSON: ", start == std::string::npos ? reason : reason.substr(start + 2));
   }
 }
 
@@ -53,52 +51,35 @@ constexpr std::size_t kMostStations = 10'000;
 constexpr std::size_t kMostRays = 100'000'000;
 constexpr double kLowest = -1e5; ///< below every room
 
-/** @brief Returns the point @p s metres along a path, or its end if that is nearer. */
-Vec2
-alongPath(const std::vector<Vec2>& path, double s)
-{
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Vec2 step = path[i + 1] - path[i];
-    const double size = step.norm();
-    if (s <= size)
-      return path[i] + s / size * step;
-    s -= size;
-  }
-  return path.back();
-}
-
-/** @brief Returns stations at equal steps along a path, @p height above z = 0; they
- * sway up and down. */
-std::vector<Vec3>
-walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, double sway)
-{
-  double total = 0.0;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    total += (path[i + 1] - path[i]).norm();
-  const auto last = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
-  std::vector<Vec3> stations;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto step = static_cast<double>(i);
-    const Vec2 position = alongPath(path, total * step / last);
-    stations.push_back(lifted(position, height + sway * std::sin(2.1 * step)));
-  }
-  return stations;
-}
-
-/** @brief Reads stations along a path, at a height above the floor below them. */
+/** @brief Reads stations at equal steps along a path, at a height above the floor below
+ * them; they sway up and down. */
 std::vector<Vec3>
 readWalk(const JsonView& view, const Scene& scene)
 {
-  std::vector<Vec2> path;
-  for (const JsonView& corner : view.at("path").items(2))
-    path.push_back(corner.point2());
+  const auto corners = view.at("path").items(2);
+  std::vector<Element> legs;
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    legs.push_back(segment(corners[i].point2(), corners[i + 1].point2()));
+    total += legs.back().length();
+  }
   const std::size_t count = view.at("count").count(1, kMostStations);
-  auto stations =
-      walkAlong(path, count, view.at("height").size(), view.numberOr("sway", 0.0));
+  const double height = view.at("height").size();
+  const double sway = view.numberOr("sway", 0.0);
   const double floor = view.numberOr("floor", kLowest);
-  for (Vec3& station : stations)
-    if (const std::uint32_t room = roomAt(scene, lifted(plan(station), floor)))
-      station.z() += floorBelow(scene.rooms[room - 1], plan(station));
+  std::vector<Vec3> stations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto step = static_cast<double>(i);
+    double s = total * step / static_cast<double>(std::max<std::size_t>(count, 2) - 1);
+    auto leg = legs.begin();
+    for (; leg + 1 != legs.end() && s > leg->length(); ++leg)
+      s -= leg->length();
+    const Vec2 place = leg->pointAt(std::min(s, leg->length()));
+    double z = height + sway * std::sin(2.1 * step);
+    if (const std::uint32_t room = roomAt(scene, lifted(place, floor)))
+      z += scene.rooms[room - 1].floorAt(place);
+    stations.push_back(lifted(place, z));
+  }
   return stations;
 }
 
@@ -125,10 +106,9 @@ readScanner(const JsonView& view, const Scene& scene)
   Scanner scanner;
   scanner.stations = readStations(view, scene);
   scanner.rays_per_station = view.at("rays").count(1, kMostRays);
-  if (const auto jitter = view.find("jitter"))
-    scanner.jitter = jitter->number(0.0, 1.0);
-  if (const auto range = view.find("max_range"))
-    scanner.max_range = range->size();
+  scanner.jitter = view.numberOr("jitter", scanner.jitter, 0.0, 1.0);
+  scanner.max_range =
+      view.numberOr("max_range", scanner.max_range, JsonView::kSmallest);
   scanner.noise = view.at("noise").number(0.0, 1.0);
   return scanner;
 }
@@ -163,7 +143,7 @@ readSceneText(const std::filesystem::path& path)
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf()))
-    throw std::invalid_argument("Cannot read the scene file " + path.string());
+    fail("Cannot read the scene file ", path.string());
   return text.str();
 }
 
@@ -180,7 +160,7 @@ parseScene(const std::string& text, const std::string& source)
     return scene;
   }
   catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(source + ": " + error.what());
+    fail(source, ": ", error.what());
   }
 }
 
@@ -205,8 +185,8 @@ sceneText(const std::string& name_or_path)
       return scene.text;
     known += (known.empty() ? "" : ", ") + scene.name;
   }
-  throw std::invalid_argument("There is no scene '" + name_or_path + "'; known are " +
-                              known + ", and files that end in .json");
+  fail("There is no scene '", name_or_path, "'; known are ", known,
+       ", and files that end in .json");
 }
 
 Scene
