@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "chain_run.h"
+#include "unexplained_surfaces.h"
 #include "seen_surfaces.h"
 
 #include "sedr_segmentation/src/sheets/floor_pieces.h"

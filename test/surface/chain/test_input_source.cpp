@@ -44,7 +44,7 @@ TEST(InputSource, GivesWhatTheCloudGives)
   for (std::size_t i = 0; i < structure.size(); ++i)
     ASSERT_EQ((*streamed.getStructure())[i].getVector3fMap(),
               structure[i].getVector3fMap());
-  EXPECT_EQ(streamed.getStageReports().front().points_in, cloud->size());
+  EXPECT_EQ(streamed.getModel().reports.front().points_in, cloud->size());
 }
 
 TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
@@ -75,13 +75,13 @@ TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
   ASSERT_TRUE(other.findStructure()) << other.getErrorMessage();
   EXPECT_EQ(pcl::sedr::floorplanToJson(*other.getFloorplan()),
             pcl::sedr::floorplanToJson(*reconstruction.getFloorplan()));
-  EXPECT_EQ(other.getStageReports().front().points_in, cloud->size());
-  EXPECT_EQ(other.getStageReports().front().points_out,
-            reconstruction.getStageReports().front().points_out);
+  EXPECT_EQ(other.getModel().reports.front().points_in, cloud->size());
+  EXPECT_EQ(other.getModel().reports.front().points_out,
+            reconstruction.getModel().reports.front().points_out);
 
   problem = "the scan is upside down";
   EXPECT_FALSE(other.findStructure());
-  EXPECT_EQ(other.getFailedStage(), "input");
+  EXPECT_EQ(other.getModel().failed_stage, "input");
   EXPECT_NE(other.getErrorMessage().find(problem), std::string::npos);
 }
 
@@ -142,7 +142,7 @@ TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
     streamed.setInputSource(std::make_shared<RowsInPieces>(*cloud, 3000));
     EXPECT_FALSE(streamed.findStructure());
     EXPECT_EQ(streamed.getErrorMessage(), reconstruction.getErrorMessage());
-    EXPECT_EQ(streamed.getFailedStage(), "input");
+    EXPECT_EQ(streamed.getModel().failed_stage, "input");
   }
 }
 
