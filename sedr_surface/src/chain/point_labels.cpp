@@ -5,7 +5,7 @@
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
 
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>

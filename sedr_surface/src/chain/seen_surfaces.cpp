@@ -2,7 +2,7 @@
 #include "seen_surfaces.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>

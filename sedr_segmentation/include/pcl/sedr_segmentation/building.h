@@ -32,7 +32,7 @@ struct RoomColumn {
   Cell cell; ///< of the grid of BuildingRooms
   float floor = 0;
   float ceiling = 0;
-  bool floor_seen = true;   ///< false: hidden, taken from the neighbours
+  bool floor_seen = true;   ///< false: hidden, taken from those beside it
   bool ceiling_seen = true; ///< likewise
 };
 

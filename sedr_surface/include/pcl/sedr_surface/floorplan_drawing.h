@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/Geometry>
 
