@@ -258,11 +258,11 @@ TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
   points.room(rectangle(0, 0, 4, 3), 0, 2.5);
   StructureChain chain;
   Priors priors;
-  priors.evidence_cell = 0;
+  priors.max_wall = 0;
   chain.setPriors(priors);
   EXPECT_FALSE(chain.findStructure(points.cloud()));
   EXPECT_EQ(chain.getModel().failed_stage, "input");
-  EXPECT_NE(chain.getModel().problem.find("evidence_cell"), std::string::npos)
+  EXPECT_NE(chain.getModel().problem.find("max_wall"), std::string::npos)
       << chain.getModel().problem;
   chain.setPriors(Priors());
   EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
