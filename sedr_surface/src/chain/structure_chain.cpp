@@ -9,7 +9,7 @@
 #include "sedr_segmentation/src/scan/unit_check.h"
 #include "structure_model.h"
 
-#include <pcl/sedr_segmentation/building_frame.h>
+#include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
 #include <chrono>

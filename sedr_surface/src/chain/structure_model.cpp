@@ -3,7 +3,7 @@
 
 #include "../mesh/mesh_repair.h"
 
-#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <cmath>
 #include <map>

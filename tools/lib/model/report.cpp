@@ -8,8 +8,7 @@
 #include "sedr_surface/src/drawing/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/wall_shares.h>
-#include <pcl/sedr_surface/plausibility.h>
+#include <pcl/sedr_surface/coverage.h>
 
 #include <nlohmann/json.hpp>
 

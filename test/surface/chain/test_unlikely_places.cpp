@@ -2,7 +2,7 @@
 #include "../../plan_loops.h"
 #include "sedr_surface/src/chain/unexplained_surfaces.h"
 
-#include <pcl/sedr_surface/plausibility.h>
+#include <pcl/sedr_surface/coverage.h>
 
 #include <gtest/gtest.h>
 
