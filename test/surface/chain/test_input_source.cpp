@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace {
@@ -127,6 +128,32 @@ TEST(RoomSharing, ProcessesThatMakeSomeOfTheRoomsGiveTheMeshOfOne)
   EXPECT_EQ(first.getMesh().triangles, alone.getMesh().triangles);
   ASSERT_EQ(first.getReports().size(), 3u);
   EXPECT_EQ(first.getReports()[1].volume, alone.getReports()[1].volume);
+}
+
+TEST(StageCallback, FollowsTheRunFromThinningOnAndEndsIt)
+{
+  Reconstruction reconstruction;
+  reconstruction.setInputCloud(scannedRoom());
+  std::vector<std::string> stages;
+  std::string last;
+  reconstruction.setStageCallback([&](const std::string& stage) {
+    stages.push_back(stage);
+    return stage != last;
+  });
+  ASSERT_TRUE(reconstruction.findStructure()) << reconstruction.getErrorMessage();
+  ASSERT_EQ(stages.size(), 9u);
+  EXPECT_EQ(stages.front(), "ParallelVoxelGrid");
+  EXPECT_EQ(stages.back(), "FloorplanExtrusion");
+  const auto& reports = reconstruction.getModel().reports;
+  ASSERT_EQ(reports.size(), stages.size());
+  for (std::size_t k = 0; k < stages.size(); ++k)
+    EXPECT_EQ(reports[k].name, stages[k]);
+  for (const std::string& stage : std::vector<std::string>(stages)) {
+    last = stage;
+    EXPECT_FALSE(reconstruction.findStructure());
+    EXPECT_EQ(reconstruction.getErrorMessage(), stage + ": cancelled before " + stage);
+    EXPECT_EQ(reconstruction.getModel().failed_stage, stage);
+  }
 }
 
 TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
