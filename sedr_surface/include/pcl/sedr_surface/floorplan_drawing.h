@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
