@@ -33,7 +33,7 @@ makeModelTogether(const Ranks& ranks, ModelSettings& settings, Reconstruction& c
       chain.setScanPositions(scan->positions());
     });
     chain.setThinning([&](const pcl::sedr::FindFrame& find_frame) {
-      return thinTogether(ranks, *scan, chain.getVoxelGrid(), find_frame);
+      return thinTogether(ranks, *scan, chain.getStages().voxel_grid, find_frame);
     });
     return scan->size();
   };

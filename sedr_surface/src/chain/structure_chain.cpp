@@ -3,20 +3,14 @@
 
 #include "../mesh/mesh_repair.h"
 #include "chain_stages.h"
-#include "sedr_filters/src/rays/mirrored_points.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/scan/scan_up.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 #include "structure_model.h"
 
-#include <pcl/sedr_segmentation/building.h>
-
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <utility>
 
 namespace pcl::sedr {
 
@@ -37,6 +31,7 @@ middleOf(const StructureModel::Cloud& cloud)
 
 StructureChain::StructureChain()
 {
+  stages_.voxel_grid.setRemoveStrays(true);
   // In a round room, facets of 0.5 mm would dominate the distance from solid to truth.
   stages_.extrusion.setChordTolerance(0.00025);
 }
@@ -44,9 +39,17 @@ StructureChain::StructureChain()
 StructureChain::~StructureChain() = default;
 
 void
+StructureChain::setVoxelSize(float size)
+{
+  stages_.voxel_grid.setLeafSize(size, size, size);
+  stages_.wall_growing.setDistanceThreshold(2 * getGridSize() + size);
+}
+
+void
 StructureChain::setGridSize(double size)
 {
   setCells(stages_, size);
+  stages_.wall_growing.setDistanceThreshold(2 * size + getVoxelSize());
   enlarged_from_ = 0;
 }
 
@@ -54,6 +57,7 @@ void
 StructureChain::setNumberOfThreads(unsigned threads)
 {
   threads_ = threads;
+  stages_.voxel_grid.setNumberOfThreads(threads);
   stages_.plane_detection.setNumberOfThreads(threads);
   stages_.room_segmentation.setNumberOfThreads(threads);
   stages_.wall_growing.setNumberOfThreads(threads);
@@ -81,7 +85,7 @@ StructureChain::reset()
   enlarged_from_ = 0;
   model_ = StructureModel();
   model_.stays_level = known_.keep_levelled;
-  is_in_frame_ = seems_in_feet_ = false;
+  seems_in_feet_ = false;
   up_doubt_.clear();
 }
 
@@ -175,28 +179,10 @@ StructureChain::checkScan(const ScanPositions& positions)
 }
 
 bool
-StructureChain::findFrame(const Cloud::ConstPtr& thinned,
-                          const ScanPositions& positions)
-{
-  reset();
-  setCloud(thinned);
-  if (!checkScan(positions))
-    return false;
-  model_.frame = findBuildingFrame(PointView(*model_.cloud), {}, threads_,
-                                   model_.levelFrame().rotation, getGridSize());
-  is_in_frame_ = true;
-  return true;
-}
-
-bool
 StructureChain::findStructure(const Cloud::ConstPtr& thinned)
 {
   if (!thinned)
     return refuse("no cloud was given");
-  if (std::exchange(is_in_frame_, false)) {
-    setCloud(thinned);
-    return runStages();
-  }
   reset();
   setCloud(thinned);
   if (!checkScan({}))
@@ -267,41 +253,6 @@ StructureChain::meshInScanFrame() const
   if (model_.isMoved())
     partEqualPositions(mesh); // as floats, two rotated positions may coincide
   return mesh;
-}
-
-void
-StructureChain::leaveOutMirrored(const ScanPositions& positions,
-                                 std::size_t step,
-                                 Cloud& thinned,
-                                 std::vector<Eigen::Vector3f>& rows)
-{
-  const MirroredPoints found = findMirroredPoints(
-      PointView(thinned), PointView(rows.data(), sizeof(Eigen::Vector3f), rows.size()),
-      step, positions, threads_);
-  MirrorFigures& mirrored = model_.mirrored;
-  mirrored.positions = static_cast<std::size_t>(
-      std::count_if(positions.begin(), positions.end(),
-                    [](const ScanPosition& position) { return position.isKnown(); }));
-  mirrored.untrue = static_cast<std::size_t>(std::count_if(
-      positions.begin(), positions.end(), [&](const ScanPosition& position) {
-        return std::find(found.untrue.begin(), found.untrue.end(), position.place) !=
-               found.untrue.end();
-      }));
-  mirrored.rays = found.rays;
-  mirrored.mirrors = found.mirrors;
-  mirrored.lines =
-      found.lines.empty() ? nullptr : std::make_shared<SightLines>(found.lines);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < thinned.size(); ++i)
-    if (found.of_thinned[i] == 0) {
-      thinned[kept++] = thinned[i];
-      mirrored.behind.push_back(found.behind[i]);
-    }
-  mirrored.points = thinned.size() - kept;
-  thinned.resize(kept);
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    if (found.of_rows[k] != 0)
-      rows[k].setConstant(std::numeric_limits<float>::quiet_NaN());
 }
 
 } // namespace pcl::sedr

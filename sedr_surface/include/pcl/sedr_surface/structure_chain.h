@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/structure_refinement.h>
@@ -60,8 +61,9 @@ struct ScanAssumptions {
   bool keep_levelled = false;
 };
 
-/** @brief The stages after thinning, with setters of their own. */
+/** @brief The stages, with setters of their own. */
 struct ChainStages {
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> voxel_grid;
   pcl::RoomSegmentation<pcl::PointXYZ> room_segmentation;
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
@@ -115,8 +117,29 @@ struct StructureModel {
   StructureCloud::Ptr structureInScanFrame() const;
 };
 
-/** @brief Runs the stages after thinning (paper, section 2.1) on points without other
- * fields: what of IndoorStructureReconstruction does not depend on its type of points.
+/** @brief A scan that was thinned in the frame of its building; elsewhere, e.g. in
+ * parts on several machines. */
+struct ThinnedScan {
+  using CloudPtr = StructureModel::Cloud::Ptr;
+
+  std::size_t size = 0; ///< points of the scan
+  /** Means of the voxels, as ParallelVoxelGrid returns them. */
+  CloudPtr points{new StructureModel::Cloud};
+  std::size_t strays = 0; ///< ParallelVoxelGrid::getStrayPoints()
+  /** Every k-th point of the scan, with k chosen so that at most 5 million remain, in
+   * the frame of the scan. */
+  std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt{
+      new std::vector<Eigen::Vector3f>};
+  std::string problem; ///< what is wrong with the scan, or empty
+};
+
+/** @brief A function that finds the frame of a building from ThinnedScan::excerpt; none
+ * if the scan is refused. */
+using FindFrame =
+    std::function<std::optional<BuildingFrame>(const std::vector<Eigen::Vector3f>&)>;
+
+/** @brief Runs the stages (paper, section 2.1): what of IndoorStructureReconstruction
+ * does not depend on its type of points.
  * The stages share one cloud with a label and a room per point. What ceilings and
  * floors hide is a state of their cells, see HiddenCells; only repair makes points of
  * it. */
@@ -150,6 +173,24 @@ public:
    * Default 0, 0, 0. */
   void setOrigin(const Origin& origin) { origin_ = origin; }
   const Origin& getOrigin() const { return origin_; }
+
+  /** @brief Sets the scanner position of each point, by its place in the scan. With
+   * positions, reflections in glass and mirrors are removed, see
+   * doc/building_blocks.md. Default: none. */
+  void setScanPositions(const ScanPositions& positions) { positions_ = positions; }
+
+  /** @brief Sets a function that thins the scan with the leaf of the voxel grid, in
+   * place of this object. It is called once per run: it takes the excerpt, asks for the
+   * frame, and thins the points moved to it. Null (default): this object thins. */
+  void setThinning(const std::function<ThinnedScan(const FindFrame&)>& thinning)
+  {
+    thinning_ = thinning;
+  }
+
+  /** @brief Sets the voxel size of down-sampling, metres. Default 0.05. Walls grow
+   * within two cells and a voxel of the boundary of their ceiling. */
+  void setVoxelSize(float size);
+  float getVoxelSize() const { return stages_.voxel_grid.getLeafSize().x(); }
 
   /** @brief Sets the "tolerance of plane", metres. Default 0.07. */
   void setPlaneTolerance(double tolerance)
@@ -207,19 +248,8 @@ public:
   }
   std::uint64_t getSeed() const { return stages_.plane_detection.getSeed(); }
 
-  /** @brief Checks a scan and finds the frame of its building, see
-   * StructureModel::frame. Only for those who thin the scan in that frame:
-   * findStructure() then takes points in it.
-   * @param thinned points of the scan; a sample suffices
-   * @param positions of the scanners, if known
-   * @return false if it is no scan to work with; getModel() tells the reason */
-  bool findFrame(const Cloud::ConstPtr& thinned, const ScanPositions& positions = {});
-
-  /** @brief Runs all stages but the mesh. After findFrame() they work in the frame of
-   * the building, and the results are turned back; else in that of the scan, made
+  /** @brief Runs all stages but thinning and the mesh, in the frame of the scan, made
    * level, as the cells of the stages follow those of thinning.
-   * @param thinned in the frame of the scan, or after findFrame() in that of the
-   * building
    * @return false if a stage found nothing; getModel() tells which and why */
   bool findStructure(const Cloud::ConstPtr& thinned);
 
@@ -245,20 +275,23 @@ protected:
    * @return false, always */
   bool refuse(const std::string& reason);
 
-  /** @brief Removes reflections in glass and mirrors, between findFrame() and
-   * findStructure(). They are erased from `thinned` and set to NaN in `rows`, every
-   * `step`-th point of the scan; a warning tells of them. */
-  void leaveOutMirrored(const ScanPositions& positions,
-                        std::size_t step,
-                        Cloud& thinned,
-                        std::vector<Eigen::Vector3f>& rows);
+  /** @brief Thins a scan and runs all stages but the mesh in the frame of the building;
+   * the results are turned back. To be called after reset().
+   * @param scan null: that of the thinning which was set
+   * @return false if a stage found nothing; getModel() tells which and why */
+  bool findStructureOf(const RowSource* scan);
 
+  std::function<ThinnedScan(const FindFrame&)> thinning_;
+  ScanPositions positions_;
   ChainStages stages_;
   StructureModel model_;
   Origin origin_;
 
 private:
   bool checkScan(const ScanPositions& positions);
+  std::optional<BuildingFrame> findFrame(const std::vector<Eigen::Vector3f>& excerpt);
+  ThinnedScan thin(const RowSource& scan);
+  void leaveOutMirrored(const ScanPositions& positions, ThinnedScan& scan);
   bool runStages();
   bool checkUnit();
   bool stop(const std::string& stage, const std::string& reason);
@@ -268,7 +301,6 @@ private:
   std::function<bool(const std::string&)> callback_;
   unsigned threads_ = 0;
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
-  bool is_in_frame_ = false; ///< the next cloud is in the frame of the building
   bool seems_in_feet_ = false;
   std::string up_doubt_; ///< why another direction than z may be up
 };
