@@ -116,6 +116,9 @@ StructureChain::refuse(const std::string& reason)
   return stop("input", reason);
 }
 
+/** @brief Calls a stage and stores its report, unless the run is cancelled.
+ * @param step returns why it failed, a sentence; empty after success, or if it refused
+ * the scan */
 bool
 StructureChain::runStage(const std::string& name,
                          std::size_t points_in,

@@ -120,11 +120,9 @@ struct StructureModel {
 /** @brief A scan that was thinned in the frame of its building; elsewhere, e.g. in
  * parts on several machines. */
 struct ThinnedScan {
-  using CloudPtr = StructureModel::Cloud::Ptr;
-
   std::size_t size = 0; ///< points of the scan
   /** Means of the voxels, as ParallelVoxelGrid returns them. */
-  CloudPtr points{new StructureModel::Cloud};
+  StructureModel::Cloud::Ptr points{new StructureModel::Cloud};
   std::size_t strays = 0; ///< ParallelVoxelGrid::getStrayPoints()
   /** Every k-th point of the scan, with k chosen so that at most 5 million remain, in
    * the frame of the scan. */
@@ -139,10 +137,9 @@ using FindFrame =
     std::function<std::optional<BuildingFrame>(const std::vector<Eigen::Vector3f>&)>;
 
 /** @brief Runs the stages (paper, section 2.1): what of IndoorStructureReconstruction
- * does not depend on its type of points.
- * The stages share one cloud with a label and a room per point. What ceilings and
- * floors hide is a state of their cells, see HiddenCells; only repair makes points of
- * it. */
+ * does not depend on its type of points. The stages share one cloud with a label and a
+ * room per point. What ceilings and floors hide is a state of their cells, see
+ * HiddenCells; only repair makes points of it. */
 class StructureChain {
 public:
   using Cloud = StructureModel::Cloud;
@@ -174,9 +171,9 @@ public:
   void setOrigin(const Origin& origin) { origin_ = origin; }
   const Origin& getOrigin() const { return origin_; }
 
-  /** @brief Sets the scanner position of each point, by its place in the scan. With
-   * positions, reflections in glass and mirrors are removed, see
-   * doc/building_blocks.md. Default: none. */
+  /** @brief Sets the scanner position of each point, by its place in the scan; excludes
+   * indices. With positions, reflections in glass and mirrors are removed, see
+   * doc/reading_scans.md. Default: none. */
   void setScanPositions(const ScanPositions& positions) { positions_ = positions; }
 
   /** @brief Sets a function that thins the scan with the leaf of the voxel grid, in
@@ -264,13 +261,6 @@ protected:
   /** @brief Discards the last run, including enlarged cells. */
   void reset();
 
-  /** @brief Calls a stage and stores its report, unless the run is cancelled.
-   * @param step returns why it failed, a sentence; empty after success, or if it
-   * refused the scan */
-  bool runStage(const std::string& name,
-                std::size_t points_in,
-                const std::function<std::string(StageReport&)>& step);
-
   /** @brief Ends the run because of the scan, not of a stage.
    * @return false, always */
   bool refuse(const std::string& reason);
@@ -283,20 +273,23 @@ protected:
 
   std::function<ThinnedScan(const FindFrame&)> thinning_;
   ScanPositions positions_;
-  ChainStages stages_;
   StructureModel model_;
-  Origin origin_;
 
 private:
   bool checkScan(const ScanPositions& positions);
   std::optional<BuildingFrame> findFrame(const std::vector<Eigen::Vector3f>& excerpt);
   ThinnedScan thin(const RowSource& scan);
   void leaveOutMirrored(const ScanPositions& positions, ThinnedScan& scan);
+  bool runStage(const std::string& name,
+                std::size_t points_in,
+                const std::function<std::string(StageReport&)>& step);
   bool runStages();
   bool checkUnit();
   bool stop(const std::string& stage, const std::string& reason);
   void setCloud(const Cloud::ConstPtr& thinned);
 
+  ChainStages stages_;
+  Origin origin_;
   ScanAssumptions known_;
   std::function<bool(const std::string&)> callback_;
   unsigned threads_ = 0;
