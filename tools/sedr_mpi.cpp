@@ -24,7 +24,7 @@ makeModelTogether(const Ranks& ranks, ModelSettings& settings, Reconstruction& c
   if (settings.threads == 0)
     settings.threads = fairThreads(ranks);
   apply(settings, chain);
-  chain.getChain().poisson.setRoomSharing(sharedRooms(ranks));
+  chain.getStages().poisson.setRoomSharing(sharedRooms(ranks));
   std::unique_ptr<JointScan> scan;
   const auto open = [&] {
     together(ranks, [&] {
@@ -33,7 +33,7 @@ makeModelTogether(const Ranks& ranks, ModelSettings& settings, Reconstruction& c
       chain.setScanPositions(scan->positions());
     });
     chain.setThinning([&](const pcl::sedr::FindFrame& find_frame) {
-      return thinTogether(ranks, *scan, chain.getVoxelGrid(), find_frame);
+      return thinTogether(ranks, *scan, chain.getStages().voxel_grid, find_frame);
     });
     return scan->size();
   };

@@ -136,10 +136,11 @@ SedrToThePlan(benchmark::State& state)
     const auto start = Clock::now();
     double seconds = 0;
     const std::unique_ptr<Chain> chain = chainFromTheFile();
-    chain->getChain().on_stage = [&](const std::string& stage) {
+    chain->setStageCallback([&](const std::string& stage) {
       if (stage == "StructureRefinement")
         seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    };
+      return true;
+    });
     if (!chain->findStructure())
       state.SkipWithError(chain->getErrorMessage().c_str());
     state.SetIterationTime(seconds);
@@ -154,7 +155,7 @@ SedrToTheMesh(benchmark::State& state)
     const std::unique_ptr<Chain> chain = chainFromTheFile();
     if (!chain->findStructure() || !chain->makeMesh())
       state.SkipWithError(chain->getErrorMessage().c_str());
-    triangles = chain->getChain().poisson.getMesh().triangles.size();
+    triangles = chain->getStages().poisson.getMesh().triangles.size();
   }
   state.counters["triangles"] = static_cast<double>(triangles);
 }

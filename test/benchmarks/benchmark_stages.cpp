@@ -45,9 +45,9 @@ Stages(benchmark::State& state)
     chain.setInputCloud(cloud);
     pcl::PolygonMesh mesh;
     chain.reconstruct(mesh);
-    for (const auto& report : chain.getStageReports())
+    for (const auto& report : chain.getModel().reports)
       seconds[report.name] += report.seconds;
-    thinned = chain.getStageReports().front().points_out;
+    thinned = chain.getModel().reports.front().points_out;
     if (mesh.polygons.empty())
       state.SkipWithError(chain.getErrorMessage().c_str());
   }

@@ -167,10 +167,10 @@ runAllStages()
 
   pcl::IndoorStructureReconstruction<PointT> chain;
   chain.setInputCloud(scan);
-  chain.getChain().poisson.setDepth(5); // coarse, to save time
+  chain.getStages().poisson.setDepth(5); // coarse, to save time
   chain.reconstruct(mesh);
   EXPECT_EQ(chain.getErrorMessage(), "");
-  figures.chain_volume = chain.getChain().poisson.getMesh().signedVolume();
+  figures.chain_volume = chain.getStages().poisson.getMesh().signedVolume();
   return figures;
 }
 

@@ -7,7 +7,8 @@
 
 1. Every number of Priors has a line in the table of priors.cpp, in the same order, and
    its default is within its range.
-2. A source of the library names each number: none is accepted and does nothing.
+2. A source of the library names each number and each common threshold of the stages:
+   none is accepted and does nothing.
 3. There are at most MOST_NUMBERS named numbers of sedr_segmentation outside the
    structure: what is believed of buildings or scanners belongs into it.
 doc/priors.md is what the first makes.
@@ -18,6 +19,7 @@ import re
 import sys
 
 HEADER = "sedr_filters/include/pcl/sedr_filters/priors.h"
+THRESHOLDS = "sedr_filters/include/pcl/sedr_filters/impl/stage_thresholds.h"
 TABLE = "sedr_filters/src/base/priors.cpp"
 PAGE = "doc/priors.md"
 MOST_NUMBERS = 303  # lower it when there are fewer
@@ -30,7 +32,6 @@ CONSTANT = re.compile(r"^\s*(?:inline\s+|static\s+)*constexpr\s+(?:unsigned\s+)?
 TITLES = {
     "rooms": "Rooms and buildings", "walls": "Walls and what is in them",
     "slabs": "Ceilings and floors", "furniture": "Furniture", "scanner": "Scanners",
-    "sampling": "Sampling", "shares": "Shares", "directions": "Directions",
 }
 
 
@@ -41,7 +42,7 @@ def read(root, path):
 
 def members(root):
     """Name, default and meaning of every number of Priors, in order."""
-    body = read(root, HEADER).split("struct Priors {", 1)[1].split("\n};", 1)[0]
+    body = read(root, HEADER).split("struct Priors : StageThresholds {", 1)[1].split("\n};", 1)[0]
     body = re.sub(r"\n\s+///<\s*", " ", body)
     return [(name, float(value), meaning.strip()) for name, value, meaning in
             re.findall(r"^  double (\w+) =\s*([^;]+);\s*///<\s*(.*)$", body, re.M)]
@@ -66,7 +67,7 @@ def sources(root, module):
 
 def used_in(root):
     """The numbers that a source names."""
-    return {name for module in MODULES for path in sources(root, module) if path not in (HEADER, TABLE)
+    return {name for module in MODULES for path in sources(root, module) if path not in (HEADER, THRESHOLDS, TABLE)
             for name in re.findall(r"[pP]riors(?:_|\(\))?\.(\w+)", read(root, path))}
 
 
@@ -76,7 +77,7 @@ def page(root):
 <!-- Written by test/contract/priors.py --write; a test compares it with the sources. -->
 # Priors
 
-What is believed of buildings, furniture, scanners and samples before a scan is looked at: `pcl::sedr::Priors`
+What is believed of buildings, furniture and scanners before a scan is looked at: `pcl::sedr::Priors`
 (`<pcl/sedr_filters/priors.h>`), set by `reconstruction.setPriors(priors)`, or on the command line:
 
 ```
@@ -121,6 +122,7 @@ def problems(root):
     for (name, value, _), line in zip(in_header, in_table):
         if not line[3] <= value <= line[4]:
             found.append("%s = %g is not from %g to %g" % (name, value, line[3], line[4]))
+    for name in [m[0] for m in in_header] + re.findall(r"static constexpr double (\w+) =", read(root, THRESHOLDS)):
         if name not in used:
             found.append("no source names %s" % name)
     if read(root, PAGE) != page(root):

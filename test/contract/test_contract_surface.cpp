@@ -87,7 +87,7 @@ public:
         append(outcome.geometry, e.start.x());
         append(outcome.geometry, e.start.y());
       }
-    outcome.all = outcome.geometry + stage_.getFailedStage();
+    outcome.all = outcome.geometry + stage_.getModel().failed_stage;
     return outcome;
   }
 };

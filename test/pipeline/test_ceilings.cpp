@@ -49,11 +49,11 @@ TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
       EXPECT_NEAR(curve->across, GetParam().radius, 0.01 * GetParam().radius);
     }
 
-  const auto& reports = chain.getChain().extrusion.getReports();
+  const auto& reports = chain.getStages().extrusion.getReports();
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_TRUE(reports[0].closed) << reports[0].problem;
   const auto figures =
-      sim::figuresOf(chain.getChain().extrusion.getMesh(), sim::truthInScan(scene));
+      sim::figuresOf(chain.getStages().extrusion.getMesh(), sim::truthInScan(scene));
   EXPECT_LE(figures.truth_to_mesh->mean, 0.0005);
   EXPECT_GE(figures.truth_to_mesh->within_1cm, 0.98);
 }

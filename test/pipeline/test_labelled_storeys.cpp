@@ -34,7 +34,7 @@ TEST_P(LabelledStoreys, haveTheRoomsAndWallsThatWereScanned)
   const sim::Scene scene = sim::sceneNamed(GetParam().scene);
   pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
   chain.setInputCloud(sim::cloudOf(scene));
-  chain.getChain().floorplan_fitting.setLabelStoreys(true);
+  chain.getStages().floorplan_fitting.setLabelStoreys(true);
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
   const auto plan = chain.getFloorplan();
   EXPECT_EQ(plan->rooms.size(), GetParam().rooms);
@@ -50,7 +50,7 @@ TEST_P(LabelledStoreys, haveTheRoomsAndWallsThatWereScanned)
   EXPECT_EQ(walls, GetParam().walls);
   EXPECT_NEAR(area, true_area, 0.002 * true_area);
   const auto figures =
-      sim::figuresOf(chain.getChain().extrusion.getMesh(), sim::truthInScan(scene));
+      sim::figuresOf(chain.getStages().extrusion.getMesh(), sim::truthInScan(scene));
   EXPECT_LE(figures.truth_to_mesh->mean, GetParam().worst_mean);
 }
 

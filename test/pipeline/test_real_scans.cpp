@@ -84,7 +84,7 @@ TEST(RealScan, stepped_room_keeps_its_step_and_closes)
   const Eigen::Vector2d below(2, 2);
   EXPECT_EQ(room.detailAt(below), 0);
   EXPECT_NEAR(room.ceiling.heightAt(below) - room.ceilingAt(below), 0.5, 0.05);
-  EXPECT_TRUE(chain.getChain().poisson.getReports().at(0).closed);
+  EXPECT_TRUE(chain.getStages().poisson.getReports().at(0).closed);
 }
 
 TEST(RealScan, office_is_one_room_with_its_recesses)

@@ -68,7 +68,7 @@ protected:
   void expectSolid(std::uint32_t number)
   {
     const auto figures = sim::figuresOf(
-        chain_.getChain().extrusion.getMesh(),
+        chain_.getStages().extrusion.getMesh(),
         sim::facesOf(scene_,
                      [number](const sim::SceneMesh& all, std::size_t t) {
                        return all.mesh.rooms[t] == number &&
@@ -100,7 +100,7 @@ TEST_P(Storeys, keepTheirRoomsWallsAndHeightsWhereTheyAreOpenToEachOther)
       expectRoomAround(station);
   for (std::uint32_t number = 1; number <= scene_.rooms.size(); ++number)
     expectSolid(number);
-  for (const pcl::sedr::PlanWarning& warning : chain_.getChain().warnings)
+  for (const pcl::sedr::PlanWarning& warning : chain_.getModel().warnings)
     EXPECT_TRUE(warning.kind != pcl::sedr::WarningKind::GuessedWall)
         << pcl::sedr::sentenceOf(warning);
 }

@@ -82,7 +82,7 @@ protected:
   void expectMesh() const
   {
     const auto figures =
-        sim::figuresOf(chain_.getChain().poisson.getMesh(),
+        sim::figuresOf(chain_.getStages().poisson.getMesh(),
                        sim::truthInScan(sim::sceneNamed(GetParam().scene)));
     EXPECT_TRUE(figures.mesh.closed);
     EXPECT_EQ(figures.mesh.topology.components.size(), GetParam().rooms);
@@ -210,7 +210,7 @@ TEST(Chain, names_the_stage_that_found_nothing)
   pcl::PolygonMesh output;
   chain.reconstruct(output);
   EXPECT_TRUE(output.polygons.empty());
-  EXPECT_EQ(chain.getFailedStage(), "RoomSegmentation");
+  EXPECT_EQ(chain.getModel().failed_stage, "RoomSegmentation");
   EXPECT_NE(chain.getErrorMessage().find("ceiling"), std::string::npos);
 }
 

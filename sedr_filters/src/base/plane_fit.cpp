@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_fit.h"
 
+#include "../grids/cell_set.h"
 #include "densest_window.h"
 #include "middle_value.h"
 #include "parallel_for.h"
 #include "symmetric_eigen.h"
-#include <pcl/sedr_filters/cell_grid.h>
 
 #include <Eigen/Geometry>
 

@@ -4,9 +4,9 @@
 #include "../base/number_text.h"
 #include "../plan/plan_bounds.h"
 
+#include "../walls/tilted_walls.h"
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
 #include <boost/geometry/geometries/box.hpp>

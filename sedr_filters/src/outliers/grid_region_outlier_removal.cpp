@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../grids/cell_set.h"
+
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/impl/grid_region_outlier_removal.hpp>
 #include <pcl/sedr_filters/point_types.h>
+
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -26,34 +30,29 @@ largestGapThreshold(const std::vector<std::size_t>& sizes)
 
 } // namespace
 
-RegionMap
-selectRegions(const PointView& points, const pcl::Indices& indices, double cell_size)
+GridRegions
+findGridRegions(const PointView& points, const pcl::Indices& indices, double cell_size)
 {
-  RegionMap map;
-  map.cell_size = cell_size;
-  map.cells = CellSet(CellGrid(cell_size), points, indices);
-  map.regions = labelRegions(map.cells);
-  map.threshold = largestGapThreshold(map.regions.sizes);
-  int kept = 0;
-  for (const std::size_t size : map.regions.sizes)
-    map.number.push_back(size > map.threshold ? ++kept : 0);
-  return map;
-}
-
-std::vector<int>
-labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& indices)
-{
-  const CellGrid grid(map.cell_size);
-  std::vector<int> label(points.size(), 0);
+  const CellGrid grid(cell_size);
+  const CellSet cells(grid, points, indices);
+  CellRegions all = labelRegions(cells);
+  GridRegions regions;
+  regions.threshold = largestGapThreshold(all.sizes);
+  while (regions.kept < all.sizes.size() && all.sizes[regions.kept] > regions.threshold)
+    ++regions.kept;
+  regions.labels.assign(points.size(), 0);
   for (const auto index : indices) {
     const auto i = static_cast<std::size_t>(index);
     const Eigen::Vector3f p = points[i];
     if (!points.isFinite(i))
-      label[i] = -1;
-    else if (grid.holds(p.x(), p.y()))
-      label[i] = map.number[map.regions.label[map.cells.find(grid.at(p.x(), p.y()))]];
+      regions.labels[i] = -1;
+    else if (grid.holds(p.x(), p.y())) {
+      const std::size_t region = all.label[cells.find(grid.at(p.x(), p.y()))];
+      regions.labels[i] = region < regions.kept ? static_cast<int>(region) + 1 : 0;
+    }
   }
-  return label;
+  regions.sizes = std::move(all.sizes);
+  return regions;
 }
 
 } // namespace pcl::sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_surfaces.h"
 
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "../walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>

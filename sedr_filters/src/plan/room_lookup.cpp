@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_lookup.h"
 
+#include "../walls/tilted_walls.h"
 #include "plan_arcs.h"
 #include "plan_bounds.h"
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/middle_value.h"
+#include "../walls/tilted_walls.h"
 #include "plan_bounds.h"
 #include "room_lookup.h"
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/Geometry>
 

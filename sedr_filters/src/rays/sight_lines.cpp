@@ -66,16 +66,6 @@ SightLines::lines() const
   return lines;
 }
 
-SightLines
-SightLines::moved(const BuildingFrame& frame) const
-{
-  std::vector<SightLine> all = lines();
-  for (SightLine& line : all)
-    for (Eigen::Vector3f* end : {&line.from, &line.to})
-      *end = frame.toBuilding(end->cast<double>()).cast<float>();
-  return SightLines(all);
-}
-
 template <typename Use>
 void
 SightLines::forAllAcross(const Eigen::Vector3d& place,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/scan_frame.h>
-
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -34,9 +32,6 @@ public:
 
   /** @brief Returns where the scanners stood, each place once. */
   std::vector<Eigen::Vector3f> places() const;
-
-  /** @brief Returns the rays in another frame. */
-  SightLines moved(const BuildingFrame& frame) const;
 
   /** @brief Returns whether a ray crosses a surface within `radius` metres of a place,
    * with both ends more than 15 cm off the surface. O(rays of about that direction) for

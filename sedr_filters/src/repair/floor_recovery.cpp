@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../grids/cell_set.h"
+
 #include <pcl/sedr_filters/impl/floor_recovery.h>
 
 #include <algorithm>
@@ -9,12 +11,13 @@
 namespace pcl::sedr {
 
 FloorRecovery
-recoverFloor(const CellGrid& grid,
+recoverFloor(double cell_size,
              const PointView& points,
              const pcl::Indices& floor,
              const pcl::Indices& ceiling,
              const pcl::Indices& detail)
 {
+  const CellGrid grid(cell_size);
   const CellSet under_ceiling(grid, points, ceiling);
   const CellSet scope = unite(under_ceiling, CellSet(grid, points, detail));
   FloorRecovery result;

@@ -6,8 +6,8 @@
 #include "../plan/room_lookup.h"
 #include "../rays/cube_points.h"
 
+#include "../walls/tilted_walls.h"
 #include <pcl/sedr_filters/impl/refinement.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,7 @@
 #include "../base/field_access.h"
 #include "../voxels/voxel_sums.h"
 
-#include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_filters/voxel_grid_settings.h>
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include <algorithm>
 #include <cmath>

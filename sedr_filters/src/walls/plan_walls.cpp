@@ -8,7 +8,6 @@
 #include "../grids/place_table.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
 #include <cmath>

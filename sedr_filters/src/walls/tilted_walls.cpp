@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../plan/plan_arcs.h"
 
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "tilted_walls.h"
 
 #include <Eigen/LU>
 

@@ -3,7 +3,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "loop_samples.h"
-#include <pcl/sedr_segmentation/wall_noise.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "../borders/sheet_plan.h"
 #include "sedr_filters/src/base/parallel.h"
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,8 +3,8 @@
 
 #include "../curves/contour.h"
 #include "sedr_filters/src/base/weighted_quantile.h"
+#include "sedr_filters/src/walls/tilted_walls.h"
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "../stairs/stairs.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include <pcl/sedr_segmentation/building.h>
+#include <pcl/sedr_segmentation/impl/find_building.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "../parting/room_parting.h"
 
-#include <pcl/sedr_segmentation/building.h>
+#include <pcl/sedr_segmentation/impl/find_building.h>
 
 #include <string>
 #include <vector>

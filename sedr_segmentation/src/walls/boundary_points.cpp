@@ -129,7 +129,7 @@ public:
         directions.add(way.head<2>());
     };
     std::size_t count = 0;
-    for (double reach = usual_; count < options_.neighbours && reach < 5 * usual_;
+    for (double reach = usual_; count < options_.neighbors && reach < 5 * usual_;
          reach *= 2.2) {
       directions.clear();
       count = 0;
@@ -142,11 +142,11 @@ public:
             see(other);
           });
       const bool is_wide = directions.haveGap(static_cast<float>(options_.angle));
-      if (is_wide ? count >= options_.neighbours && !directions.empty()
-                  : count <= options_.neighbours)
+      if (is_wide ? count >= options_.neighbors && !directions.empty()
+                  : count <= options_.neighbors)
         return is_wide;
     }
-    const std::vector<std::size_t> nearest = nearestTo(i, options_.neighbours);
+    const std::vector<std::size_t> nearest = nearestTo(i, options_.neighbors);
     directions.clear();
     std::for_each(nearest.begin(), nearest.end(), see);
     return directions.haveGap(static_cast<float>(options_.angle)) &&
@@ -171,7 +171,7 @@ private:
     std::vector<double> reaches;
     for (std::size_t i = 0; i < places_.size(); i += places_.size() / samples + 1) {
       double reach = 0;
-      for (const std::size_t k : nearestTo(i, std::min(few, options_.neighbours)))
+      for (const std::size_t k : nearestTo(i, std::min(few, options_.neighbors)))
         reach = std::max<double>(
             reach, (places_[k].getVector3fMap() - places_[i].getVector3fMap()).norm());
       reaches.push_back(reach);
@@ -191,9 +191,9 @@ private:
 std::string
 problemOf(const BoundaryOptions& options)
 {
-  if (options.neighbours < 3)
+  if (options.neighbors < 3)
     return "the number of neighbors must be at least 3, it is " +
-           std::to_string(options.neighbours);
+           std::to_string(options.neighbors);
   if (!(options.angle > 0 && options.angle < full_turn))
     return "the angle threshold must be above 0 and below 2 pi radians, it is " +
            numberText(options.angle);

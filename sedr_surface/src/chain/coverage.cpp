@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/coverage.h>
 
+#include "sedr_filters/src/walls/tilted_walls.h"
 #include <pcl/sedr_filters/cell_grid.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 

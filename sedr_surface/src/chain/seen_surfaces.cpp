@@ -2,7 +2,7 @@
 #include "seen_surfaces.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,27 +51,44 @@ isAsLongAs(const PlanElement& wall, double width, const Priors& priors)
 
 } // namespace
 
-Patches::Patches(std::vector<CellKey> keys,
-                 const std::vector<double>& values,
-                 double size,
-                 double least)
+CellSet
+cellsOf(const std::vector<CellValue>& values)
+{
+  std::vector<CellKey> keys;
+  for (const auto& [key, value] : values)
+    keys.push_back(key);
+  return CellSet::fromSorted(std::move(keys));
+}
+
+Patches::Patches(const std::vector<CellValue>& values, double size, double least)
 {
   const CellGrid grid(size);
-  const CellSet cells(std::move(keys));
+  const CellSet cells = cellsOf(values);
   const CellRegions regions = labelRegions(cells);
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const auto n = static_cast<double>(regions.sizes[regions.label[k]]);
     if (n * size * size < least)
       continue;
     ++count;
-    low = std::min(low, values[k]);
-    high = std::max(high, values[k]);
-    mean += values[k];
+    low = std::min(low, values[k].second);
+    high = std::max(high, values[k].second);
+    mean += values[k].second;
     if (regions.label[k] == 0)
       middle += grid.centre(cells[k]) / n;
   }
   mean /= std::max<double>(1, static_cast<double>(count));
   area = static_cast<double>(count) * size * size;
+}
+
+PlanWarning
+slabWarning(bool is_floor, const Patches& found, const PlanRoom& room)
+{
+  return {is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
+          {found.area, found.low, found.high},
+          room.id,
+          0,
+          {},
+          found.middle};
 }
 
 WallTiles::WallTiles(const VerticalSurface& surface)
@@ -149,32 +166,29 @@ WallTiles::add(const Eigen::Vector3d& p, double offset)
 Patches
 WallTiles::passedUnder() const
 {
-  std::vector<CellKey> keys;
-  std::vector<double> offsets;
+  std::vector<CellValue> offsets;
   for (std::size_t column = 0; rows_ > 0 && column < spans_.size(); ++column)
     if (const Tile& ceiling = tiles_[rows_ * spans_.size() + column];
-        !ceiling.is_on && ceiling.behind > -infinite) {
-      keys.push_back(keyOf({static_cast<std::int32_t>(column), 0}));
-      offsets.push_back(100 * ceiling.behind);
-    }
-  return {std::move(keys), offsets, wall_tile, min_strip * wall_tile};
+        !ceiling.is_on && ceiling.behind > -infinite)
+      offsets.emplace_back(keyOf({static_cast<std::int32_t>(column), 0}),
+                           100 * ceiling.behind);
+  return {offsets, wall_tile, min_strip * wall_tile};
 }
 
 Patches
 WallTiles::patches(bool is_behind) const
 {
-  std::vector<CellKey> keys;
-  std::vector<double> offsets;
+  std::vector<CellValue> offsets;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
     const Tile& tile = tiles_[i];
     const double off = tile.before < infinite ? tile.before : tile.behind;
     if (tile.is_on || (off < 0) != is_behind || off < -reach || off > relief)
       continue;
-    keys.push_back(keyOf({static_cast<std::int32_t>(i % spans_.size()),
-                          static_cast<std::int32_t>(i / spans_.size())}));
-    offsets.push_back(100 * off);
+    offsets.emplace_back(keyOf({static_cast<std::int32_t>(i % spans_.size()),
+                                static_cast<std::int32_t>(i / spans_.size())}),
+                         100 * off);
   }
-  return {std::move(keys), offsets, wall_tile};
+  return {offsets, wall_tile};
 }
 
 SeenSurfaces::SeenSurfaces(const Floorplan& plan,
@@ -281,20 +295,12 @@ SeenSurfaces::tellDoubled(std::size_t room, std::vector<PlanWarning>& warnings) 
   const double floor = plan.floorAt(plan.boundary.elements.front().start);
   std::vector<PlanWarning> doubled;
   for (const std::size_t k : {0, 1}) {
-    std::vector<CellKey> keys;
-    std::vector<double> heights;
-    for (const auto& [key, height] : beyond_[2 * room + k]) {
-      keys.push_back(key);
-      heights.push_back(height - floor);
-    }
-    const Patches found(std::move(keys), heights, grid_.size());
+    std::vector<CellValue> heights;
+    for (const auto& [key, height] : beyond_[2 * room + k])
+      heights.emplace_back(key, height - floor);
+    const Patches found(heights, grid_.size());
     if (found.area > told * plan.area())
-      doubled.push_back({k == 0 ? WarningKind::FloorOff : WarningKind::CeilingOff,
-                         {found.area, found.low, found.high},
-                         plan.id,
-                         0,
-                         {},
-                         found.middle});
+      doubled.push_back(slabWarning(k == 0, found, plan));
   }
   if (doubled.size() == 2)
     warnings.insert(warnings.end(), doubled.begin(), doubled.end());
@@ -329,18 +335,15 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   constexpr unsigned first = 1;
   constexpr unsigned last = 5;
   constexpr unsigned least = 4;
-  std::vector<CellKey> keys;
-  std::vector<double> steps;
+  std::vector<CellValue> steps;
   for (const auto& [key, standing] : standing_[room]) {
     unsigned in_band = 0;
     for (unsigned k = first; k <= last; ++k)
       in_band += standing.heights >> k & 1;
-    if (in_band < least || !(standing.heights >> first & 1))
-      continue;
-    keys.push_back(key);
-    steps.push_back(__builtin_popcountll(standing.heights));
+    if (in_band >= least && (standing.heights >> first & 1))
+      steps.emplace_back(key, __builtin_popcountll(standing.heights));
   }
-  const Patches found(std::move(keys), steps, wall_tile, min_strip * wall_tile);
+  const Patches found(steps, wall_tile, min_strip * wall_tile);
   const double area = found.mean * found.area; // of the steps
   const PlanRoom& plan = rooms_[room].room();
   if (area > min_patch && area >= told_behind * surfacesOf(plan))

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/grids/cell_set.h"
 #include "sedr_filters/src/grids/place_table.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
-#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 
@@ -27,6 +27,12 @@ constexpr double wall_tile = 0.1;  ///< metres
 constexpr double min_strip = 0.5;  ///< of what is told, metres of tiles
 constexpr double sigmas = 3;       ///< of noise, off a surface
 
+/** @brief A cell and a value that was found in it. */
+using CellValue = std::pair<CellKey, double>;
+
+/** @brief Returns the cells of some values, which must be in their order. */
+CellSet cellsOf(const std::vector<CellValue>& values);
+
 /** @brief Connected cells, of `least` square metres and more. */
 struct Patches {
   std::size_t count = 0; ///< of cells
@@ -36,13 +42,13 @@ struct Patches {
   double mean = 0;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< of the largest patch
 
-  /** @param keys of cells, increasing
-   * @param values one a cell */
-  Patches(std::vector<CellKey> keys,
-          const std::vector<double>& values,
-          double size,
-          double least = min_patch);
+  /** @param values in the order of their cells
+   * @param size of a cell, metres */
+  Patches(const std::vector<CellValue>& values, double size, double least = min_patch);
 };
+
+/** @brief Returns a warning about a floor or ceiling that was seen off its model. */
+PlanWarning slabWarning(bool is_floor, const Patches& found, const PlanRoom& room);
 
 /** @brief What was seen in each tile of a wall, the side of a column or a riser. */
 class WallTiles {

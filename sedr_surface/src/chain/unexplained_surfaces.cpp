@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "chain_run.h"
+#include "unexplained_surfaces.h"
 #include "seen_surfaces.h"
 
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,38 +15,42 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Removes connected cells that furniture may cover.
- * @param heights above the floor, of each cell */
-CellSet
-withoutFurniture(const CellSet& cells,
-                 const std::vector<double>& heights,
-                 double size,
-                 const Priors& priors)
+/** @brief Removes those of `values` that lie in connected cells which furniture may
+ * cover.
+ * @param heights of the cells above the floor, in their order */
+void
+dropFurniture(const std::vector<CellValue>& heights,
+              double size,
+              const Priors& priors,
+              std::vector<CellValue>& values)
 {
   struct Region {
     double area = 0;
     double rim = 0;
     double height = 0;
   };
+  const CellSet cells = cellsOf(heights);
   const CellRegions regions = labelRegions(cells);
   std::vector<Region> of(regions.sizes.size());
   for (std::size_t k = 0; k < cells.size(); ++k) {
     Region& region = of[regions.label[k]];
     const Cell at = cells[k];
     region.area += size * size;
-    region.height += heights[k] / static_cast<double>(regions.sizes[regions.label[k]]);
+    region.height +=
+        heights[k].second / static_cast<double>(regions.sizes[regions.label[k]]);
     for (const Cell next : {Cell{at.x - 1, at.y}, Cell{at.x + 1, at.y},
                             Cell{at.x, at.y - 1}, Cell{at.x, at.y + 1}})
       region.rim += cells.contains(next) ? 0 : size;
   }
-  std::vector<CellKey> kept;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
+  const auto isFurniture = [&](const CellValue& value) {
+    const std::size_t k = cells.find(cellOf(value.first));
+    if (k == CellSet::npos)
+      return false;
     const Region& region = of[regions.label[k]];
-    if (!isAsFurniture(region.area, 2 * region.area / region.rim, region.height,
-                       priors))
-      kept.push_back(keyOf(cells[k]));
-  }
-  return CellSet::fromSorted(std::move(kept));
+    return isAsFurniture(region.area, 2 * region.area / region.rim, region.height,
+                         priors);
+  };
+  values.erase(std::remove_if(values.begin(), values.end(), isFurniture), values.end());
 }
 
 /** @brief Warns of a floor or ceiling of a room if much of it was seen off its model.
@@ -63,11 +67,9 @@ addSlab(const RoomLookup& model,
   constexpr double told_share = 0.02; // of the area of a room
   const PlanRoom& room = model.room();
   const double floor = room.floorAt(room.boundary.elements.front().start);
-  std::vector<CellKey> keys; // increasing, as the columns
-  std::vector<double> heights;
-  std::vector<CellKey> above; // the floor
-  std::vector<double> heights_above;
-  std::vector<CellKey> unseen;
+  std::vector<CellValue> heights; // of what is off the model
+  std::vector<CellValue> above;   // the floor
+  std::vector<CellValue> unseen;
   for (const RoomColumn& column : seen.columns) {
     const Eigen::Vector2d at = grid.centre(column.cell);
     const auto isBeside = [&](const PlanLoop& loop) {
@@ -78,7 +80,7 @@ addSlab(const RoomLookup& model,
         isOnModel(keyOf(column.cell)))
       continue;
     if (!(is_floor ? column.floor_seen : column.ceiling_seen)) {
-      unseen.push_back(keyOf(column.cell));
+      unseen.emplace_back(keyOf(column.cell), std::numeric_limits<double>::infinity());
       continue;
     }
     const double z = is_floor ? column.floor : column.ceiling;
@@ -96,40 +98,19 @@ addSlab(const RoomLookup& model,
         !is_floor && isTilted(room) && isBeside(boundaryAt(room, z));
     if ((z >= low && z <= high) || is_on_wall)
       continue;
-    keys.push_back(keyOf(column.cell));
-    heights.push_back(z - floor);
-    if (z > high && is_floor) {
-      above.push_back(keys.back());
-      heights_above.push_back(z - high + off_slab);
-    }
+    heights.emplace_back(keyOf(column.cell), z - floor);
+    if (z > high && is_floor)
+      above.emplace_back(heights.back().first, z - high + off_slab);
   }
-  const CellSet all = CellSet::fromSorted(std::move(above));
-  const CellSet stages = withoutFurniture(all, heights_above, grid.size(), priors);
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < keys.size(); ++k)
-    if (!all.contains(cellOf(keys[k])) || stages.contains(cellOf(keys[k]))) {
-      keys[kept] = keys[k];
-      heights[kept++] = heights[k];
-    }
-  keys.resize(kept);
-  heights.resize(kept);
-  const Patches found(std::move(keys), heights, grid.size());
+  dropFurniture(above, grid.size(), priors, heights);
+  const Patches found(heights, grid.size());
   const double told = std::min(told_share * room.area(), priors.max_furniture_area);
   if (found.count > 0 && found.area >= told)
-    warnings.push_back({is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
-                        {found.area, found.low, found.high},
-                        room.id,
-                        0,
-                        {},
-                        found.middle});
+    warnings.push_back(slabWarning(is_floor, found, room));
   if (!is_floor)
     return;
-  const CellSet hidden = CellSet::fromSorted(std::move(unseen));
-  const CellSet stage = withoutFurniture(
-      hidden,
-      std::vector<double>(hidden.size(), std::numeric_limits<double>::infinity()),
-      grid.size(), priors);
-  const Patches hiding(stage.keys(), std::vector<double>(stage.size(), 0), grid.size());
+  dropFurniture(std::vector<CellValue>(unseen), grid.size(), priors, unseen);
+  const Patches hiding(unseen, grid.size());
   if (hiding.count > 0)
     warnings.push_back(
         {WarningKind::FloorUnseen, {hiding.area}, room.id, 0, {}, hiding.middle});

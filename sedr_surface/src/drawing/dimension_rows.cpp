@@ -4,7 +4,7 @@
 #include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
 
-#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <numeric>

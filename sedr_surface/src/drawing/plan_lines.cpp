@@ -10,7 +10,6 @@
 #include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
 #include <cmath>

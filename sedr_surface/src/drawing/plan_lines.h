@@ -5,8 +5,8 @@
 #include "plan_layers.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
+#include "sedr_filters/src/walls/tilted_walls.h"
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include "ifc_parts.h"
 #include "level_slab.h"
 
-#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>

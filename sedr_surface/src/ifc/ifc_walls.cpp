@@ -3,7 +3,7 @@
 #include "ifc_parts.h"
 #include "wall_body.h"
 
-#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <map>

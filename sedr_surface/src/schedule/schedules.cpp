@@ -2,7 +2,6 @@
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/wall_shares.h>
 #include <pcl/sedr_surface/schedules.h>
 
 #include <boost/algorithm/string/join.hpp>

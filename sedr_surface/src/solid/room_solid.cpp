@@ -3,6 +3,7 @@
 #include "plan_subdivision.h"
 #include "room_layers.h"
 #include "sedr_filters/src/plan/plan_check.h"
+#include "sedr_filters/src/walls/tilted_walls.h"
 #include "tilted_solid.h"
 #include "vertex_levels.h"
 

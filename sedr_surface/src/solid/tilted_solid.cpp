@@ -5,7 +5,7 @@
 #include "../triangulation/constrained_triangulation.h"
 #include "../triangulation/plan_grid.h"
 #include "sedr_filters/src/plan/plan_arcs.h"
-#include <pcl/sedr_filters/tilted_walls.h>
+#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <Eigen/Geometry>
 

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+// As the examples have them, verbatim.
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
+
+#include <pcl/sedr_filters/plan_warning.h>
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <pcl/sedr_filters/scan_frame.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/sedr_filters/impl/stage_filter.hpp>
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_filters/stage_filter.h>
-#include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +23,7 @@
 #include <iostream>
 #include <sstream>
 
-// The example of doc/building_blocks.md, verbatim.
+// The examples of the pages of building blocks, verbatim.
 
 namespace {
 
@@ -41,6 +50,41 @@ for (const auto& storey : pcl::sedr::storeysOf(plan)) {
   EXPECT_EQ(told.str(), "storey 1: 2 rooms\n");
 }
 
+TEST(BuildingBlocks, TheWarningsOfAPlan)
+{
+  const std::vector<pcl::sedr::PlanWarning> warnings{
+      {pcl::sedr::WarningKind::NoDoor, {12}, 3}};
+  std::ostringstream told;
+  std::streambuf* const was = std::cerr.rdbuf(told.rdbuf());
+  // clang-format off
+for (const std::string& line : pcl::sedr::summaryOf(warnings)) {
+  std::cerr << line << '\n';
+}
+  // clang-format on
+  std::cerr.rdbuf(was);
+  EXPECT_NE(told.str().find("room 3"), std::string::npos) << told.str();
+}
+
+TEST(BuildingBlocks, PointsOfAnyTypeAndTheirOrigin)
+{
+  pcl::PointCloud<pcl::PointNormal> cloud;
+  cloud.resize(3);
+  cloud[1].x = std::nanf("");
+  // clang-format off
+const pcl::sedr::PointView points(cloud); // of any point type
+std::size_t finite = 0;
+for (std::size_t i = 0; i < points.size(); ++i) {
+  finite += points.isFinite(i) ? 1 : 0;
+}
+  // clang-format on
+  EXPECT_EQ(finite, 2u);
+  // clang-format off
+const pcl::sedr::Origin origin{{691600, 5335900, 0}};
+const Eigen::Vector3f p = origin.toLocal({691612.25, 5335907.5, 1.2}).cast<float>();
+  // clang-format on
+  EXPECT_EQ(p, Eigen::Vector3f(12.25F, 7.5F, 1.2F));
+}
+
 std::string
 textOf(const std::string& path)
 {
@@ -49,28 +93,42 @@ textOf(const std::string& path)
   return text.str();
 }
 
-TEST(BuildingBlocks, ThePageShowsWhatIsCompiledHere)
+const char* const pages[] = {"building_blocks.md", "floorplan.md",
+                             "points_and_frames.md"};
+
+std::string
+pageOf(const std::string& name)
 {
-  const std::string page = textOf(BUILDING_BLOCKS_PAGE);
+  return textOf(std::string(PROJECT_FOLDER) + "/doc/" + name);
+}
+
+TEST(BuildingBlocks, PagesShowWhatIsCompiledHere)
+{
   const std::string source = textOf(BUILDING_BLOCKS_SOURCE);
   std::size_t examples = 0;
   const std::string fence = "```cpp\n";
-  for (auto at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
-    at += fence.size();
-    const std::string code = page.substr(at, page.find("```", at) - at);
-    const auto body = code.find("\n\n") + 2; // after the #include lines
-    EXPECT_NE(source.find(code.substr(0, body - 1)), std::string::npos) << code;
-    EXPECT_NE(source.find(code.substr(body)), std::string::npos) << code;
-    ++examples;
+  for (const char* name : pages) {
+    const std::string page = pageOf(name);
+    for (auto at = page.find(fence); at != std::string::npos;
+         at = page.find(fence, at)) {
+      at += fence.size();
+      const std::string code = page.substr(at, page.find("```", at) - at);
+      const auto body = code.find("\n\n") + 2; // after the #include lines
+      EXPECT_NE(source.find(code.substr(0, body - 1)), std::string::npos) << code;
+      EXPECT_NE(source.find(code.substr(body)), std::string::npos) << code;
+      ++examples;
+    }
   }
-  EXPECT_EQ(examples, 1u);
+  EXPECT_EQ(examples, 4u);
 }
 
-TEST(BuildingBlocks, EveryPublicHeaderHasARowOrAPage)
+TEST(BuildingBlocks, EveryPublicHeaderIsOnAPage)
 {
   namespace fs = std::filesystem;
   const fs::path root(PROJECT_FOLDER);
-  const std::string page = textOf(BUILDING_BLOCKS_PAGE);
+  std::string all;
+  for (const char* name : pages)
+    all += pageOf(name);
   for (const std::string module : {"filters", "segmentation", "surface"}) {
     const std::string name = "sedr_" + module;
     std::size_t headers = 0;
@@ -82,7 +140,7 @@ TEST(BuildingBlocks, EveryPublicHeaderHasARowOrAPage)
       ++headers;
       const fs::path own_page = root / "doc" / (header.stem().string() + ".md");
       EXPECT_TRUE(fs::exists(own_page) ||
-                  page.find('`' + header.string() + '`') != std::string::npos)
+                  all.find('`' + header.string() + '`') != std::string::npos)
           << name << '/' << header.string();
     }
     EXPECT_GT(headers, 4u) << name;

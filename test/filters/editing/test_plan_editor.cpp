@@ -3,7 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_editor.h>
-#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/cell_grid.h>
+#include "sedr_filters/src/grids/cell_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../plan_loops.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/plan_warning.h>
-#include <pcl/sedr_filters/wall_shares.h>
 
 #include <gtest/gtest.h>
 

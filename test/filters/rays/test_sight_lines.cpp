@@ -74,20 +74,6 @@ TEST(SightLines, PierceAsRayByRayInEveryDirection)
   EXPECT_LT(through, 270);
 }
 
-TEST(SightLines, MoveWithTheLevelFrame)
-{
-  const std::vector<SightLine> lines = randomLines(5000);
-  const Levelling levelling =
-      Levelling::of(Vector3d(0.03, -0.02, 1).normalized(), {1, 2, 3});
-  const SightLines level = SightLines(lines).moved(levelling.frame());
-  const Vector3d place(1, 1, 0.3);
-  const Vector3d normal = Vector3d(1, 0.2, 0).normalized();
-  EXPECT_TRUE(SightLines(lines).pierce(place, normal, 0.4));
-  EXPECT_TRUE(level.pierce(levelling.level(place), levelling.rotation * normal, 0.4));
-  EXPECT_FALSE(level.pierce(levelling.level(place + Vector3d(50, 0, 0)),
-                            levelling.rotation * normal, 0.4));
-}
-
 TEST(SightLines, WithoutRaysAndOfNaNTellNothing)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();

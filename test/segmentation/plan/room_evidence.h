@@ -2,6 +2,7 @@
 #pragma once
 
 #include "room_points.h"
+#include "sedr_filters/src/grids/cell_set.h"
 
 #include <pcl/point_types.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>

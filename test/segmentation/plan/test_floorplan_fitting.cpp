@@ -2,7 +2,6 @@
 #include "two_rooms.h"
 
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_segmentation/wall_noise.h>
 
 #include <algorithm>
 #include <cmath>

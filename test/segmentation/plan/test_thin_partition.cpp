@@ -2,6 +2,7 @@
 #include "sedr_segmentation/src/plan/room_gaps.h"
 
 #include "room_points.h"
+#include "sedr_filters/src/grids/cell_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_segmentation/building.h>
+#include <pcl/sedr_segmentation/impl/find_building.h>
 
 #include "segmentation/air/air_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/building_frame.h>
+#include <pcl/sedr_segmentation/building.h>
 
 #include "turned_room.h"
 

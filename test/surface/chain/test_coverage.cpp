@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_surface/src/chain/chain_run.h"
+#include "sedr_surface/src/chain/unexplained_surfaces.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

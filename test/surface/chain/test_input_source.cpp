@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace {
@@ -44,7 +45,7 @@ TEST(InputSource, GivesWhatTheCloudGives)
   for (std::size_t i = 0; i < structure.size(); ++i)
     ASSERT_EQ((*streamed.getStructure())[i].getVector3fMap(),
               structure[i].getVector3fMap());
-  EXPECT_EQ(streamed.getStageReports().front().points_in, cloud->size());
+  EXPECT_EQ(streamed.getModel().reports.front().points_in, cloud->size());
 }
 
 TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
@@ -75,13 +76,13 @@ TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
   ASSERT_TRUE(other.findStructure()) << other.getErrorMessage();
   EXPECT_EQ(pcl::sedr::floorplanToJson(*other.getFloorplan()),
             pcl::sedr::floorplanToJson(*reconstruction.getFloorplan()));
-  EXPECT_EQ(other.getStageReports().front().points_in, cloud->size());
-  EXPECT_EQ(other.getStageReports().front().points_out,
-            reconstruction.getStageReports().front().points_out);
+  EXPECT_EQ(other.getModel().reports.front().points_in, cloud->size());
+  EXPECT_EQ(other.getModel().reports.front().points_out,
+            reconstruction.getModel().reports.front().points_out);
 
   problem = "the scan is upside down";
   EXPECT_FALSE(other.findStructure());
-  EXPECT_EQ(other.getFailedStage(), "input");
+  EXPECT_EQ(other.getModel().failed_stage, "input");
   EXPECT_NE(other.getErrorMessage().find(problem), std::string::npos);
 }
 
@@ -129,6 +130,32 @@ TEST(RoomSharing, ProcessesThatMakeSomeOfTheRoomsGiveTheMeshOfOne)
   EXPECT_EQ(first.getReports()[1].volume, alone.getReports()[1].volume);
 }
 
+TEST(StageCallback, FollowsTheRunFromThinningOnAndEndsIt)
+{
+  Reconstruction reconstruction;
+  reconstruction.setInputCloud(scannedRoom());
+  std::vector<std::string> stages;
+  std::string last;
+  reconstruction.setStageCallback([&](const std::string& stage) {
+    stages.push_back(stage);
+    return stage != last;
+  });
+  ASSERT_TRUE(reconstruction.findStructure()) << reconstruction.getErrorMessage();
+  ASSERT_EQ(stages.size(), 9u);
+  EXPECT_EQ(stages.front(), "ParallelVoxelGrid");
+  EXPECT_EQ(stages.back(), "FloorplanExtrusion");
+  const auto& reports = reconstruction.getModel().reports;
+  ASSERT_EQ(reports.size(), stages.size());
+  for (std::size_t k = 0; k < stages.size(); ++k)
+    EXPECT_EQ(reports[k].name, stages[k]);
+  for (const std::string& stage : std::vector<std::string>(stages)) {
+    last = stage;
+    EXPECT_FALSE(reconstruction.findStructure());
+    EXPECT_EQ(reconstruction.getErrorMessage(), stage + ": cancelled before " + stage);
+    EXPECT_EQ(reconstruction.getModel().failed_stage, stage);
+  }
+}
+
 TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
 {
   for (const float scale : {1000.f, 0.01f}) {
@@ -142,7 +169,7 @@ TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
     streamed.setInputSource(std::make_shared<RowsInPieces>(*cloud, 3000));
     EXPECT_FALSE(streamed.findStructure());
     EXPECT_EQ(streamed.getErrorMessage(), reconstruction.getErrorMessage());
-    EXPECT_EQ(streamed.getFailedStage(), "input");
+    EXPECT_EQ(streamed.getModel().failed_stage, "input");
   }
 }
 

@@ -27,33 +27,33 @@ roomScannedEvery(double spacing, double length = 4, double width = 3)
 TEST(StructureChain, EndsBeforeTheStageAtWhichItIsCancelled)
 {
   StructureChain chain;
-  std::string stage;
-  chain.on_stage = [&](const std::string& name) { stage = name; };
-  chain.is_cancelled = [&] { return stage == "FloorplanFitting"; };
+  chain.setStageCallback(
+      [](const std::string& name) { return name != "FloorplanFitting"; });
   EXPECT_FALSE(chain.findStructure(roomScannedEvery(0.04)));
-  EXPECT_EQ(chain.problem, "cancelled before FloorplanFitting");
-  EXPECT_EQ(chain.failed_stage, "FloorplanFitting");
-  EXPECT_TRUE(chain.plan->rooms.empty());
-  chain.is_cancelled = nullptr;
-  EXPECT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
+  EXPECT_EQ(chain.getModel().problem, "cancelled before FloorplanFitting");
+  EXPECT_EQ(chain.getModel().failed_stage, "FloorplanFitting");
+  EXPECT_TRUE(chain.getModel().plan->rooms.empty());
+  chain.setStageCallback(nullptr);
+  EXPECT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
 }
 
 TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.problem;
-  EXPECT_GT(chain.plane_detection.getGridSize(), 0.09);
-  ASSERT_EQ(chain.warnings.size(), 1u);
-  EXPECT_NE(sentenceOf(chain.warnings[0]).find("too sparse for cells of 0.05 m"),
-            std::string::npos);
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.getModel().problem;
+  EXPECT_GT(chain.getStages().plane_detection.getGridSize(), 0.09);
+  ASSERT_EQ(chain.getModel().warnings.size(), 1u);
+  EXPECT_NE(
+      sentenceOf(chain.getModel().warnings[0]).find("too sparse for cells of 0.05 m"),
+      std::string::npos);
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 12, 0.1);
 
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
-  EXPECT_EQ(chain.plane_detection.getGridSize(), 0.05);
-  EXPECT_EQ(chain.hole_repair.getGridSize(), 0.05);
-  EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
-  EXPECT_TRUE(chain.warnings.empty());
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
+  EXPECT_EQ(chain.getStages().plane_detection.getGridSize(), 0.05);
+  EXPECT_EQ(chain.getStages().hole_repair.getGridSize(), 0.05);
+  EXPECT_NEAR(chain.getStages().wall_growing.getDistanceThreshold(), 0.15, 1e-12);
+  EXPECT_TRUE(chain.getModel().warnings.empty());
 }
 
 TEST(StructureChain, TheCeilingBetweenADuctAndTheWallBehindItIsOfTheRoom)
@@ -67,9 +67,9 @@ TEST(StructureChain, TheCeilingBetweenADuctAndTheWallBehindItIsOfTheRoom)
     points.wall(wall, 0, 2.6);
   points.room(rectangle(3.11, 0.01, 9.11, 5.01), 0, 2.6);
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.plan->rooms[1].area(), 15, 0.1);
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
+  EXPECT_NEAR(chain.getModel().plan->rooms[1].area(), 15, 0.1);
 }
 
 TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
@@ -82,18 +82,20 @@ TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
       scan->back().z *= -1;
     }
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  EXPECT_NEAR(chain.plan->rooms[0].floor.heightAt({1, 1}), 0, 0.01);
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.getModel().plan->rooms[0].floor.heightAt({1, 1}), 0, 0.01);
   for (std::size_t i = size; i < scan->size(); ++i)
     if ((*scan)[i].z < -0.5F) {
-      ASSERT_EQ(chain.labels[i], 0u) << (*scan)[i].z;
+      ASSERT_EQ(chain.getModel().labels[i], 0u) << (*scan)[i].z;
     }
   const auto isTold = [](const PlanWarning& warning) {
     return warning.kind == WarningKind::LeftOut &&
            warning.reason.find("mirrors") != std::string::npos;
   };
-  EXPECT_EQ(std::count_if(chain.warnings.begin(), chain.warnings.end(), isTold), 1);
+  EXPECT_EQ(std::count_if(chain.getModel().warnings.begin(),
+                          chain.getModel().warnings.end(), isTold),
+            1);
 }
 
 TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
@@ -106,21 +108,22 @@ TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
     points.wall(wall, 0, 2.5);
   StructureChain chain;
   const auto scan = points.cloud();
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
-  EXPECT_EQ(chain.cloud->size(), scan->size());
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  const PlanRoom& room = chain.plan->rooms[0];
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  EXPECT_EQ(chain.getModel().cloud->size(), scan->size());
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+  const PlanRoom& room = chain.getModel().plan->rooms[0];
   EXPECT_NEAR(room.area(), 12, 0.05);
   EXPECT_NEAR(room.ceiling.inferred, 0.8 / 12, 0.02);
   EXPECT_NEAR(room.floor.inferred, 1.5 / 12, 0.02);
   for (std::size_t i = 0; i < scan->size(); ++i)
     if (const float z = (*scan)[i].z; z > 0.2F && z < 2.3F) {
-      ASSERT_EQ(chain.labels[i], 3u) << (*scan)[i];
+      ASSERT_EQ(chain.getModel().labels[i], 3u) << (*scan)[i];
     }
   const auto isFilled = [](const pcl::PointStructure& p) {
     return p.x > 0.3F && p.x < 0.5F && p.y > 0.3F && p.y < 0.5F && p.z > 2.49F;
   };
-  EXPECT_GE(std::count_if(chain.structure->begin(), chain.structure->end(), isFilled),
+  EXPECT_GE(std::count_if(chain.getModel().structure->begin(),
+                          chain.getModel().structure->end(), isFilled),
             9);
 }
 
@@ -143,11 +146,12 @@ TEST(StructureChain, TheHighestRowOfASlopingCeilingIsNoLintel)
           return !is_open && z < roof.heightAt(p);
         });
       StructureChain chain;
-      chain.unit_is_known = true;
-      ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-      ASSERT_EQ(chain.plan->rooms.size(), 1u);
-      EXPECT_NEAR(chain.plan->rooms[0].area(), 20, 0.05) << degrees << ' ' << spacing;
-      EXPECT_EQ(chain.plan->rooms[0].boundary.elements.size(), 4u)
+      chain.setAssumptions({false, true});
+      ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+      ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+      EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 20, 0.05)
+          << degrees << ' ' << spacing;
+      EXPECT_EQ(chain.getModel().plan->rooms[0].boundary.elements.size(), 4u)
           << degrees << ' ' << spacing;
     }
 }
@@ -162,40 +166,44 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
   for (const auto& e : room.elements)
     points.wall(e, 0, 5, [](double s, double) { return std::fmod(s, 0.2) < 0.05; });
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.warnings.size(), 1u);
-  EXPECT_NE(sentenceOf(chain.warnings[0]).find("room 1: "), std::string::npos)
-      << sentenceOf(chain.warnings[0]);
-  EXPECT_NE(sentenceOf(chain.warnings[0]).find("not measured"), std::string::npos)
-      << sentenceOf(chain.warnings[0]);
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().warnings.size(), 1u);
+  EXPECT_NE(sentenceOf(chain.getModel().warnings[0]).find("room 1: "),
+            std::string::npos)
+      << sentenceOf(chain.getModel().warnings[0]);
+  EXPECT_NE(sentenceOf(chain.getModel().warnings[0]).find("not measured"),
+            std::string::npos)
+      << sentenceOf(chain.getModel().warnings[0]);
 
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
-  EXPECT_TRUE(chain.warnings.empty());
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
+  EXPECT_TRUE(chain.getModel().warnings.empty());
 }
 
 TEST(StructureChain, WarnsOfAMeshOfAnotherVolumeThanItsSolid)
 {
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
-  ASSERT_TRUE(chain.makeMesh()) << chain.problem;
-  EXPECT_TRUE(chain.warnings.empty());
-  for (auto& point : *chain.structure)
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
+  ASSERT_TRUE(chain.makeMesh()) << chain.getModel().problem;
+  EXPECT_TRUE(chain.getModel().warnings.empty());
+  for (auto& point : *chain.getModel().structure)
     point.z *= 0.98F;
-  ASSERT_TRUE(chain.makeMesh()) << chain.problem;
-  ASSERT_EQ(chain.warnings.size(), 1u);
-  EXPECT_EQ(sentenceOf(chain.warnings[0]),
+  ASSERT_TRUE(chain.makeMesh()) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().warnings.size(), 1u);
+  EXPECT_EQ(sentenceOf(chain.getModel().warnings[0]),
             "room 1: its mesh holds 29.40 m3, but its solid 30.00 m3");
 }
 
 TEST(StructureChain, RoundedEdgesOfASmallRoomAreNoOtherVolume)
 {
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04, 1.2, 1.1))) << chain.problem;
-  const std::size_t before = chain.warnings.size();
-  for (auto& point : *chain.structure)
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04, 1.2, 1.1)))
+      << chain.getModel().problem;
+  const std::size_t before = chain.getModel().warnings.size();
+  for (auto& point : *chain.getModel().structure)
     point.z *= 0.985F;
-  ASSERT_TRUE(chain.makeMesh()) << chain.problem;
-  EXPECT_EQ(chain.warnings.size(), before) << sentenceOf(chain.warnings.back());
+  ASSERT_TRUE(chain.makeMesh()) << chain.getModel().problem;
+  EXPECT_EQ(chain.getModel().warnings.size(), before)
+      << sentenceOf(chain.getModel().warnings.back());
 }
 
 TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
@@ -210,12 +218,12 @@ TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
   points.room(sedr_test::roomOf(rectangle(4.15, 0, 6.65, 3), 2.5),
               [](const Eigen::Vector3d& p) { return p.x() > 4.16; });
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
-  EXPECT_NEAR(chain.plan->rooms[1].area(), 7.5, 0.35);
-  for (std::size_t i = 0; i < chain.cloud->size(); ++i)
-    EXPECT_EQ(chain.labels[i] == 0, chain.rooms[i] == 0);
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
+  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 12, 0.1);
+  EXPECT_NEAR(chain.getModel().plan->rooms[1].area(), 7.5, 0.35);
+  for (std::size_t i = 0; i < chain.getModel().cloud->size(); ++i)
+    EXPECT_EQ(chain.getModel().labels[i] == 0, chain.getModel().rooms[i] == 0);
 }
 
 TEST(StructureChain, AGalleryOwnsItsWallsThoughAHallIsAsHigh)
@@ -234,11 +242,11 @@ TEST(StructureChain, AGalleryOwnsItsWallsThoughAHallIsAsHigh)
       return wall.pointAt(s).x() < 6.01 || isFree(z);
     });
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.plan->rooms[0].area(), 9 * 6, 0.1);
-  EXPECT_NEAR(chain.plan->rooms[1].area(), 3 * 6, 0.6) << "its edge is open";
-  for (const PlanElement& wall : chain.plan->rooms[1].boundary.elements)
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
+  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 9 * 6, 0.1);
+  EXPECT_NEAR(chain.getModel().plan->rooms[1].area(), 3 * 6, 0.6) << "its edge is open";
+  for (const PlanElement& wall : chain.getModel().plan->rooms[1].boundary.elements)
     if (std::max(wall.start.x(), wall.end.x()) > 7) {
       EXPECT_GT(wall.evidence.seen, 0.9);
     }
@@ -250,13 +258,14 @@ TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
   points.room(rectangle(0, 0, 4, 3), 0, 2.5);
   StructureChain chain;
   Priors priors;
-  priors.evidence_cell = 0;
+  priors.max_wall = 0;
   chain.setPriors(priors);
   EXPECT_FALSE(chain.findStructure(points.cloud()));
-  EXPECT_EQ(chain.failed_stage, "input");
-  EXPECT_NE(chain.problem.find("evidence_cell"), std::string::npos) << chain.problem;
+  EXPECT_EQ(chain.getModel().failed_stage, "input");
+  EXPECT_NE(chain.getModel().problem.find("max_wall"), std::string::npos)
+      << chain.getModel().problem;
   chain.setPriors(Priors());
-  EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
 }
 
 TEST(StructureChain, RefusesRoomsInFeetUnlessTheUnitIsKnown)
@@ -268,14 +277,15 @@ TEST(StructureChain, RefusesRoomsInFeetUnlessTheUnitIsKnown)
                   8 * unit);
     StructureChain chain;
     const bool is_done = chain.findStructure(points.cloud());
-    EXPECT_EQ(is_done, unit != 1.0) << chain.problem;
+    EXPECT_EQ(is_done, unit != 1.0) << chain.getModel().problem;
     if (is_done)
       continue;
-    EXPECT_EQ(chain.failed_stage, "input");
-    EXPECT_NE(chain.problem.find("--unit 0.3048"), std::string::npos) << chain.problem;
-    chain.unit_is_known = true;
-    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-    EXPECT_EQ(chain.unit_doubt, "");
+    EXPECT_EQ(chain.getModel().failed_stage, "input");
+    EXPECT_NE(chain.getModel().problem.find("--unit 0.3048"), std::string::npos)
+        << chain.getModel().problem;
+    chain.setAssumptions({false, true});
+    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+    EXPECT_EQ(chain.getModel().unit_doubt, "");
   }
 }
 

@@ -24,16 +24,16 @@ TEST(StructureChain, ARoomIsWholeThoughItsFarCeilingWasSeenInLinesOnly)
   for (const auto& wall : room.elements)
     points.wall(wall, 0, 2.5);
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  EXPECT_NEAR(chain.plan->rooms[0].area(), 40, 0.1);
-  EXPECT_EQ(chain.labels.size(), chain.cloud->size());
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 40, 0.1);
+  EXPECT_EQ(chain.getModel().labels.size(), chain.getModel().cloud->size());
 }
 
 bool
 tells(const StructureChain& chain, const char* words)
 {
-  return std::any_of(chain.warnings.begin(), chain.warnings.end(),
+  return std::any_of(chain.getModel().warnings.begin(), chain.getModel().warnings.end(),
                      [&](const PlanWarning& warning) {
                        return sentenceOf(warning).find(words) != std::string::npos;
                      });
@@ -56,9 +56,9 @@ TEST(StructureChain, AHiddenCornerIsOfTheRoomAndAWarningTellsHowMuchNobodySaw)
     });
   points.wall(segment({6.01, 4.8}, {6.01, 5.96}), 0, 3);
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  const PlanLoop& boundary = chain.plan->rooms[0].boundary;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+  const PlanLoop& boundary = chain.getModel().plan->rooms[0].boundary;
   EXPECT_EQ(boundary.elements.size(), 4u);
   EXPECT_NEAR(boundary.area(), 96, 0.3);
   EXPECT_TRUE(tells(chain, "m2 were not seen"));

@@ -34,21 +34,21 @@ turnedFlat(double degrees)
 TEST(StructureChainTilt, ATiltedScanGivesThePlanOfTheLevelOne)
 {
   StructureChain level;
-  ASSERT_TRUE(level.findStructure(turnedFlat(0))) << level.problem;
-  EXPECT_FALSE(level.levelling);
-  EXPECT_TRUE(level.warnings.empty());
+  ASSERT_TRUE(level.findStructure(turnedFlat(0))) << level.getModel().problem;
+  EXPECT_FALSE(level.getModel().levelling);
+  EXPECT_TRUE(level.getModel().warnings.empty());
   for (const double degrees : {0.5, 1.0, 2.0, 2.9}) {
     SCOPED_TRACE(degrees);
     StructureChain chain;
-    ASSERT_TRUE(chain.findStructure(turnedFlat(degrees))) << chain.problem;
-    ASSERT_TRUE(chain.levelling);
-    EXPECT_NEAR(chain.levelling->angle() * 180 / M_PI, degrees, 0.1);
-    ASSERT_EQ(chain.warnings.size(), 1u);
-    EXPECT_EQ(chain.warnings[0].kind, WarningKind::Levelled);
-    ASSERT_EQ(chain.plan->rooms.size(), 2u);
+    ASSERT_TRUE(chain.findStructure(turnedFlat(degrees))) << chain.getModel().problem;
+    ASSERT_TRUE(chain.getModel().levelling);
+    EXPECT_NEAR(chain.getModel().levelling->angle() * 180 / M_PI, degrees, 0.1);
+    ASSERT_EQ(chain.getModel().warnings.size(), 1u);
+    EXPECT_EQ(chain.getModel().warnings[0].kind, WarningKind::Levelled);
+    ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
     for (std::size_t r = 0; r < 2; ++r) {
-      const PlanRoom& room = chain.plan->rooms[r];
-      const PlanRoom& truth = level.plan->rooms[r];
+      const PlanRoom& room = chain.getModel().plan->rooms[r];
+      const PlanRoom& truth = level.getModel().plan->rooms[r];
       EXPECT_EQ(room.boundary.elements.size(), truth.boundary.elements.size());
       EXPECT_NEAR(room.area(), truth.area(), 0.02);
       EXPECT_NEAR(room.perimeter(), truth.perimeter(), 0.02);
@@ -61,19 +61,26 @@ TEST(StructureChainTilt, WhatIsMadeOfItLiesOnTheScan)
 {
   const auto scan = turnedFlat(2);
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
   std::vector<Eigen::Vector3d> points;
   for (const auto& p : *scan)
     points.push_back(p.getVector3fMap().cast<double>());
   const auto farthest = [&](const TriangleMesh& mesh) {
     return summarizeDistances(MeshDistance(mesh).distances(points)).max;
   };
-  EXPECT_LT(farthest(chain.inScanFrame(chain.extrusion.getMesh())), 0.02);
-  const auto structure = chain.structureInScanFrame();
-  ASSERT_EQ(structure->size(), chain.structure->size());
-  chain.keep_levelled = true;
-  EXPECT_GT(farthest(chain.inScanFrame(chain.extrusion.getMesh())), 0.05);
-  EXPECT_EQ(chain.structureInScanFrame(), chain.structure);
+  EXPECT_LT(
+      farthest(chain.getModel().inScanFrame(chain.getStages().extrusion.getMesh())),
+      0.02);
+  const auto structure = chain.getModel().structureInScanFrame();
+  ASSERT_EQ(structure->size(), chain.getModel().structure->size());
+  ScanAssumptions known;
+  known.keep_levelled = true;
+  chain.setAssumptions(known);
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  EXPECT_GT(
+      farthest(chain.getModel().inScanFrame(chain.getStages().extrusion.getMesh())),
+      0.05);
+  EXPECT_EQ(chain.getModel().structureInScanFrame(), chain.getModel().structure);
 }
 
 /** A room of 5 m x 4 m below the lower of some planes. Its wall at y = 4 m tilts into
@@ -127,7 +134,7 @@ std::vector<double>
 tiltsOf(const StructureChain& chain)
 {
   std::vector<double> tilts;
-  for (const PlanRoom& room : chain.plan->rooms)
+  for (const PlanRoom& room : chain.getModel().plan->rooms)
     for (const PlanElement& wall : room.boundary.elements)
       if (wall.tilt != 0)
         tilts.push_back(wall.tilt);
@@ -139,16 +146,16 @@ TEST(StructureChainTilt, ASlopingCeilingOverTiltedWallsIsOnePlane)
   const PlanSlab truth = slabAt(2.4, 0.25, -0.1);
   const auto scan = tiltedBelow({truth}, 15 * M_PI / 180);
   StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  const PlanRoom& room = chain.plan->rooms[0];
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+  const PlanRoom& room = chain.getModel().plan->rooms[0];
   EXPECT_EQ(tiltsOf(chain).size(), 2u);
   EXPECT_EQ(room.boundary.elements.size(), 4u);
   EXPECT_TRUE(room.details.empty());
   const Eigen::Vector3d normal = truth.plane.head<3>().normalized();
   EXPECT_LT(std::acos(std::min(1.0, normal.dot(room.ceiling.plane.head<3>()))),
             0.1 * M_PI / 180);
-  EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02);
+  EXPECT_LT(farthestFrom(chain.getStages().extrusion.getMesh(), *scan), 0.02);
 }
 
 TEST(StructureChainTilt, WallsThatTiltByADegreeAreExact)
@@ -156,11 +163,12 @@ TEST(StructureChainTilt, WallsThatTiltByADegreeAreExact)
   for (const double degrees : {1.2, 3.0, 4.5}) {
     const auto scan = tiltedBelow({slabAt(2.6, 0, 0)}, degrees * M_PI / 180);
     StructureChain chain;
-    ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+    ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
     ASSERT_EQ(tiltsOf(chain).size(), 2u) << degrees;
     for (const double tilt : tiltsOf(chain))
       EXPECT_NEAR(std::abs(tilt), degrees * M_PI / 180, 0.0005) << degrees;
-    EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02) << degrees;
+    EXPECT_LT(farthestFrom(chain.getStages().extrusion.getMesh(), *scan), 0.02)
+        << degrees;
   }
 }
 

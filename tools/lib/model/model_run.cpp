@@ -88,14 +88,15 @@ Coverage
 checkedCoverage(const Reconstruction& chain, bool takes_partial)
 {
   constexpr double least = 0.5;
-  const Coverage& coverage = chain.getChain().coverage;
+  const StructureModel& model = chain.getModel();
+  const Coverage& coverage = model.coverage;
   if (coverage.share() >= least || takes_partial)
     return coverage;
   const auto gap = coverageWarning(coverage);
   std::string reason = gap ? sentenceOf(*gap) : "";
-  if (const std::string& doubt = chain.getChain().unit_doubt; !doubt.empty())
-    reason += "; " + doubt;
-  for (const PlanWarning& warning : chain.getChain().warnings)
+  if (!model.unit_doubt.empty())
+    reason += "; " + model.unit_doubt;
+  for (const PlanWarning& warning : model.warnings)
     if (warning.kind == WarningKind::Up)
       reason += "; " + sentenceOf(warning);
   throw ToolError("less than half of the floor that was seen could be modelled: " +
@@ -108,23 +109,27 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
 void
 reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& record)
 {
-  chain.getChain().unit_is_known = knowsUnit(settings);
-  chain.getChain().up_is_known = !settings.scan.settings.up.empty();
+  ScanAssumptions known = settings.known;
+  known.unit_is_known = knowsUnit(settings);
+  known.up_is_known = !settings.scan.settings.up.empty();
+  chain.setAssumptions(known);
   std::unique_ptr<Progress> progress;
-  chain.getChain().on_stage = [&](const std::string& stage) {
+  chain.setStageCallback([&](const std::string& stage) {
     progress.reset(); // ends the line before the next one
     progress = std::make_unique<Progress>(stage);
-  };
+    return true;
+  });
   bool is_done = chain.findStructure();
   if (is_done) {
     progress.reset();
     record.coverage = checkedCoverage(chain, settings.partial);
     is_done = settings.no_mesh || chain.makeMesh();
   }
-  chain.getChain().on_stage = nullptr; // it refers to `progress`, which ends here
+  chain.setStageCallback(nullptr); // it refers to `progress`, which ends here
   progress.reset();
+  record.warnings = chain.getModel().warnings;
   if (!is_done)
-    throw ToolError(chain.getChain().failed_stage == "input"
+    throw ToolError(chain.getModel().failed_stage == "input"
                         ? chain.getErrorMessage()
                         : "no structure found: " + chain.getErrorMessage(),
                     NothingFound);
@@ -135,7 +140,7 @@ reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& rec
 MeshEvaluationResult
 evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 {
-  const auto& result = chain.getChain();
+  const StructureModel& result = chain.getModel();
   constexpr double reveal = 0.05; // metres: what noise makes of its points
   const std::size_t scanned = result.cloud->size();
   const OpeningSpaces openings(*chain.getFloorplan());
@@ -150,7 +155,8 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
       structure->push_back(static_cast<int>(i));
   pcl::MeshEvaluation evaluation;
   const std::shared_ptr<const TriangleMesh> mesh(
-      std::shared_ptr<void>(), &result.poisson.getMesh()); // not owned, to avoid a copy
+      std::shared_ptr<void>(),
+      &chain.getStages().poisson.getMesh()); // not owned, to avoid a copy
   evaluation.setInputMesh(mesh);
   evaluation.setInputCloud(result.cloud);
   evaluation.setIndices(structure);
@@ -165,10 +171,10 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 
 /** @brief Returns a check sum of the thinned scan. */
 std::string
-scanSum(const StructureChain& chain)
+scanSum(const StructureModel& model)
 {
   boost::crc_optimal<64, 0x42f0e1eba9ea3693> sum; // of ECMA-182
-  for (const auto& point : *chain.cloud)
+  for (const auto& point : *model.cloud)
     sum.process_bytes(point.data, 3 * sizeof(float));
   return formatText("%016llx", static_cast<unsigned long long>(sum.checksum()));
 }
@@ -177,20 +183,22 @@ scanSum(const StructureChain& chain)
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
-  const StructureChain& c = chain.getChain();
-  saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
+  const StructureModel& model = chain.getModel();
+  const Origin& origin = chain.getOrigin();
+  saveStructure(folder.file("structure.pcd"), *model.structureInScanFrame(), origin);
   if (with_mesh)
-    writeWhole(folder.file("mesh.ply"),
-               c.isMeshMoved() // otherwise no copy is needed
-                   ? meshToPly(c.meshInScanFrame(), originComments(c.origin))
-                   : meshToPly(c.poisson.getMesh(), originComments(c.origin)));
+    writeWhole(
+        folder.file("mesh.ply"),
+        model.isMoved() // otherwise no copy is needed
+            ? meshToPly(chain.meshInScanFrame(), originComments(origin))
+            : meshToPly(chain.getStages().poisson.getMesh(), originComments(origin)));
   writeWhole(folder.file("floorplan.json"),
-             documentToJson({*chain.getFloorplan(), c.origin, c.levelling,
-                             chain.getPriors().max_wall, scanSum(c)}));
-  const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
+             documentToJson({*model.plan, origin, model.levelling,
+                             chain.getPriors().max_wall, scanSum(model)}));
+  const auto& extrusion = chain.getStages().extrusion;
+  const TriangleMesh solid = model.inScanFrame(extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
-    saveSolid(folder.file(name), solid, c.extrusion.getElements(),
-              *chain.getFloorplan(), c.origin);
+    saveSolid(folder.file(name), solid, extrusion.getElements(), *model.plan, origin);
 }
 
 DrawingSettings
@@ -203,26 +211,26 @@ drawingSettings(const ModelSettings& settings, const Reconstruction& chain)
   return drawing;
 }
 
-/** @brief Writes model.ifc and the schedules of it; its warnings are added to the
- * chain's.
- * @return the schedules */
-Schedules
+/** @brief Writes model.ifc and the schedules of it, which the record keeps with its
+ * warnings. */
+void
 writeBuildingModel(const OutputFolder& folder,
                    const ModelSettings& settings,
-                   Reconstruction& chain)
+                   const Reconstruction& chain,
+                   RunRecord& record)
 {
   IfcSettings ifc;
   if (!settings.project.empty())
     ifc.name = settings.project;
-  ifc.scan = scanSum(chain.getChain());
+  ifc.scan = scanSum(chain.getModel());
   ifc.max_wall = chain.getPriors().max_wall;
   const IfcModel model = writeIfc(*chain.getFloorplan(), ifc, chain.getOrigin());
   writeWhole(folder.file("model.ifc"), model.text);
-  auto& warnings = chain.getChain().warnings;
-  warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
+  record.warnings.insert(record.warnings.end(), model.warnings.begin(),
+                         model.warnings.end());
   for (const ScheduleTable& table : tablesOf(model.schedules))
     writeWhole(folder.file(table.name + ".csv"), csvOf(table));
-  return model.schedules;
+  record.schedules = model.schedules;
 }
 
 /** @brief Writes the drawings as SVG, PDF and DXF; with several storeys one each. */
@@ -244,13 +252,15 @@ writeDrawings(const OutputFolder& folder,
 void
 writePictures(const OutputFolder& folder, const Reconstruction& chain)
 {
-  const StructureChain& c = chain.getChain();
-  writeWhole(folder.file(rooms_picture), drawRooms(c.getBuilding()).png());
-  const BuildingFrame to_building = c.levelFrame().to(c.frame);
-  const Floorplan plan = moved(*c.plan, to_building.yaw(),
+  const ChainStages& stages = chain.getStages();
+  const StructureModel& model = chain.getModel();
+  writeWhole(folder.file(rooms_picture),
+             drawRooms(stages.room_segmentation.getBuilding()).png());
+  const BuildingFrame to_building = model.levelFrame().to(model.frame);
+  const Floorplan plan = moved(*model.plan, to_building.yaw(),
                                to_building.toBuilding(Eigen::Vector3d::Zero()));
   writeWhole(folder.file(plan_picture),
-             drawPlan(plan, c.floorplan_fitting.getBoundaries()).png());
+             drawPlan(plan, stages.floorplan_fitting.getBoundaries()).png());
 }
 
 /** @brief Writes report.html from the model's files, which must exist.
@@ -297,8 +307,8 @@ makeModel(const ModelSettings& settings,
   });
   reconstruct(settings, chain, record);
   if (const auto gap = coverageWarning(record.coverage))
-    chain.getChain().warnings.push_back(*gap);
-  record.stages = chain.getStageReports();
+    record.warnings.push_back(*gap);
+  record.stages = chain.getModel().reports;
   record.stages.insert(record.stages.begin(), reading);
   if (!settings.no_mesh)
     record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
@@ -307,7 +317,7 @@ makeModel(const ModelSettings& settings,
   record.stages.push_back(timed("writing", [&](StageReport& report) {
     const std::function<void()> files[] = {
         [&] { writeModel(folder, chain, !settings.no_mesh); },
-        [&] { record.schedules = writeBuildingModel(folder, settings, chain); },
+        [&] { writeBuildingModel(folder, settings, chain, record); },
         [&] { writeDrawings(folder, settings, chain); },
         [&] { writePictures(folder, chain); }};
     parallelBlocks(settings.pictures ? 4 : 3, 1, settings.threads,
@@ -323,7 +333,7 @@ makeModel(const ModelSettings& settings,
   if (settings.report)
     problem = writeReportPage(settings, folder);
   folder.exchange();
-  for (const auto& line : summaryOf(chain.getChain().warnings))
+  for (const auto& line : summaryOf(record.warnings))
     warn(line);
   std::cout << summaryOf(record, chain) << std::endl;
   if (!problem.empty())

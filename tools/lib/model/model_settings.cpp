@@ -52,11 +52,10 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
                  Range::between(0, 1024));
   addScanOptions(options, s.scan);
   addPositionsOption(options, s.scan);
-  sedr::StructureChain& stages = chain.getChain();
   options.flag(
-      "z-up", stages.trust_up,
+      "z-up", s.known.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");
-  options.flag("levelled", stages.keep_levelled,
+  options.flag("levelled", s.known.keep_levelled,
                "of a scan tilted by 0.3 to 3 degrees, write all results level");
   options.flag("no-mesh", s.no_mesh,
                "stop at the plan and its solid: no mesh.ply and no distances to it");
@@ -83,8 +82,8 @@ apply(const ModelSettings& s, Reconstruction& chain)
 {
   chain.setPriors(readPriors(s.priors));
   chain.setNumberOfThreads(s.threads);
-  chain.getChain().floorplan_fitting.setLabelStoreys(s.label_storeys);
-  chain.getChain().extrusion.setCutOpenings(s.openings == "cut");
+  chain.getStages().floorplan_fitting.setLabelStoreys(s.label_storeys);
+  chain.getStages().extrusion.setCutOpenings(s.openings == "cut");
 }
 
 } // namespace pcl::sedr::tools

@@ -18,10 +18,11 @@ struct ModelSettings {
   std::vector<std::string> inputs; ///< paths to read
   std::string folder;
   ScanOptions scan; ///< settings for reading, including the unit
+  ScanAssumptions known;
   unsigned threads = 0;
   bool no_mesh = false;
   bool label_storeys = false; ///< outlines by one labelling of each storey
-  bool partial = false; ///< accept a model of a small part
+  bool partial = false;       ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
   std::string project;             ///< name, for drawings and IFC

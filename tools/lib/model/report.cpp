@@ -8,8 +8,7 @@
 #include "sedr_surface/src/drawing/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/wall_shares.h>
-#include <pcl/sedr_surface/plausibility.h>
+#include <pcl/sedr_surface/coverage.h>
 
 #include <nlohmann/json.hpp>
 
@@ -70,7 +69,7 @@ stagesOf(const RunRecord& run)
 }
 
 Json
-meshOf(const StructureChain& chain, std::uint32_t room)
+meshOf(const ChainStages& chain, std::uint32_t room)
 {
   for (const auto& report : chain.poisson.getReports())
     if (report.room == room)
@@ -83,7 +82,7 @@ meshOf(const StructureChain& chain, std::uint32_t room)
 }
 
 Json
-solidOf(const StructureChain& chain, std::uint32_t room)
+solidOf(const ChainStages& chain, std::uint32_t room)
 {
   for (const auto& report : chain.extrusion.getReports())
     if (report.room == room)
@@ -115,7 +114,8 @@ roomsOf(const RunRecord& run, const Reconstruction& chain)
   Json rooms = Json::array();
   const Floorplan& plan = *chain.getFloorplan();
   const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
-  const std::vector<BuildingRoom>& found = chain.getChain().getBuilding().rooms;
+  const std::vector<BuildingRoom>& found =
+      chain.getStages().room_segmentation.getBuilding().rooms;
   for (const RoomRow& row : run.schedules.rooms) {
     const PlanRoom& room = *findRoom(plan, row.id);
     const auto seen =
@@ -134,8 +134,8 @@ roomsOf(const RunRecord& run, const Reconstruction& chain)
                      {"support", supportOf(wallShares(plan, room))},
                      {"inferred_area", is_known ? seen->inferred : 0},
                      {"unseen_outline", is_known ? seen->unseen_outline : 0},
-                     {"solid", solidOf(chain.getChain(), room.id)},
-                     {"mesh", meshOf(chain.getChain(), room.id)}});
+                     {"solid", solidOf(chain.getStages(), room.id)},
+                     {"mesh", meshOf(chain.getStages(), room.id)}});
   }
   return rooms;
 }
@@ -143,9 +143,9 @@ roomsOf(const RunRecord& run, const Reconstruction& chain)
 /** @brief Returns the frame in which the building was found: the angle by which its x
  * axis is turned, degrees, and its origin in the frame of the plan. */
 Json
-frameOf(const StructureChain& chain)
+frameOf(const StructureModel& model)
 {
-  const BuildingFrame frame = chain.levelFrame().to(chain.frame);
+  const BuildingFrame frame = model.levelFrame().to(model.frame);
   return {{"yaw", -frame.yaw() * 180 / M_PI}, {"origin", frame.origin}};
 }
 
@@ -211,9 +211,9 @@ schedulesOf(const Schedules& schedules)
 Json
 wallMapsOf(const Reconstruction& chain)
 {
-  const StructureChain& c = chain.getChain();
-  const auto search = c.opening_detection.getSearch();
-  return search ? wallMaps(*c.plan, *search, c.levelFrame().to(c.frame))
+  const StructureModel& model = chain.getModel();
+  const auto search = chain.getStages().opening_detection.getSearch();
+  return search ? wallMaps(*model.plan, *search, model.levelFrame().to(model.frame))
                 : Json::array();
 }
 
@@ -275,7 +275,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
     writeJson(stream, *run.figures);
     evaluation = Json::parse(stream.str());
   }
-  const std::optional<Levelling>& levelling = chain.getChain().levelling;
+  const std::optional<Levelling>& levelling = chain.getModel().levelling;
   Json json{{"format", format_name},
             {"version", format_version},
             {"files", run.files},
@@ -286,9 +286,9 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"storeys", storeysOf(chain)},
             {"origin", nullptr}, // reserves its position here
             {"levelling", levelling ? levellingToJson(*levelling) : Json()},
-            {"frame", frameOf(chain.getChain())},
-            {"positions", positionsOf(chain.getChain().mirrored)},
-            {"noise", noiseOf(chain.getChain().floorplan_fitting.getWallNoise())},
+            {"frame", frameOf(chain.getModel())},
+            {"positions", positionsOf(chain.getModel().mirrored)},
+            {"noise", noiseOf(chain.getStages().floorplan_fitting.getWallNoise())},
             {"support", supportOf(wallShares(*chain.getFloorplan()))},
             {"rooms", roomsOf(run, chain)},
             {"schedules", schedulesOf(run.schedules)},
@@ -296,7 +296,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
-            {"warnings", warningsOf(chain.getChain().warnings, *chain.getFloorplan())},
+            {"warnings", warningsOf(run.warnings, *chain.getFloorplan())},
             {"unlikely",
              warningsOf(unlikelyPlaces(*chain.getFloorplan()), *chain.getFloorplan())}};
   roundNumbers(json);
@@ -325,7 +325,7 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
     summary += "walls " + percent(walls.measured) + "measured, " +
                percent(walls.inferred) + "inferred, " + percent(walls.unseen) +
                "unseen, ";
-  const auto& meshes = chain.getChain().poisson.getReports();
+  const auto& meshes = chain.getStages().poisson.getReports();
   const auto closed = std::count_if(meshes.begin(), meshes.end(),
                                     [](const auto& mesh) { return mesh.closed; });
   if (run.figures)

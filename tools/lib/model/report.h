@@ -25,6 +25,7 @@ struct RunRecord {
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
   std::optional<MeshEvaluationResult> figures; ///< empty without a mesh
   Schedules schedules;                         ///< as in model.ifc
+  std::vector<PlanWarning> warnings;           ///< of the chain and of what was written
 };
 
 /** @brief Returns report.json: input, parameters, stages, rooms, coverage, mesh,

@@ -51,10 +51,10 @@ inputOf(const RunRecord& run)
 Json
 parametersOf(const RunRecord& run, const Reconstruction& chain)
 {
-  const StructureChain& c = chain.getChain();
+  const ChainStages& c = chain.getStages();
   return {{"unit", run.reading.unit},
-          {"z_up", c.trust_up},
-          {"levelled", c.keep_levelled},
+          {"z_up", chain.getAssumptions().trust_up},
+          {"levelled", chain.getAssumptions().keep_levelled},
           {"threads", chain.getNumberOfThreads()},
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},

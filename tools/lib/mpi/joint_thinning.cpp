@@ -98,7 +98,7 @@ join(const Ranks& ranks, const Excerpt& mine, Excerpt& all)
 }
 
 void
-writeMeans(VoxelSums& sums, unsigned threads, StructureChain::Cloud& means)
+writeMeans(VoxelSums& sums, unsigned threads, StructureModel::Cloud& means)
 {
   means.resize(sums.arrange());
   sums.forEach(

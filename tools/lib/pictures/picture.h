@@ -3,7 +3,8 @@
 
 #include "colour.h"
 
-#include <pcl/sedr_filters/cell_grid.h>
+#include "sedr_filters/src/grids/cell_set.h"
+#include "sedr_surface/src/sheet/sheet.h"
 
 #include <string>
 #include <utility>

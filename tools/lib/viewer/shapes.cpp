@@ -4,7 +4,7 @@
 #include "run_tool.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <vtkCellArray.h>

@@ -24,10 +24,10 @@ main(int argc, char** argv)
     return 2;
   }
 
-  for (const auto& stage : reconstruction.getStageReports())
+  for (const auto& stage : reconstruction.getModel().reports)
     std::cout << stage.name << ": " << stage.points_in << " points in, "
               << stage.points_out << " out\n";
-  for (const auto& warning : summaryOf(reconstruction.getChain().warnings))
+  for (const auto& warning : summaryOf(reconstruction.getModel().warnings))
     std::cout << "warning: " << warning << '\n';
   for (const auto& room : reconstruction.getFloorplan()->rooms)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "
@@ -36,7 +36,7 @@ main(int argc, char** argv)
   // A pcl::PolygonMesh has no place for the label and room of a face: save the mesh
   // that has.
   std::ofstream file("mesh.ply", std::ios::binary);
-  file << pcl::sedr::meshToPly(reconstruction.getChain().poisson.getMesh())
+  file << pcl::sedr::meshToPly(reconstruction.getStages().poisson.getMesh())
        << std::flush;
   return file ? 0 : 1;
 }

@@ -57,16 +57,18 @@ reconstruct(const Cloud::ConstPtr& scan, double floor, double ceiling)
   std::cout << storey->size() << " of " << thinned->size() << " points are kept\n";
 
   pcl::sedr::StructureChain chain; // all stages after the thinning
-  chain.floorplan_fitting.setRawCloud(scan);
+  chain.getStages().floorplan_fitting.setRawCloud(scan);
   if (!chain.findStructure(storey) || !chain.makeMesh()) {
-    std::cerr << chain.failed_stage << ": " << chain.problem << '\n';
+    std::cerr << chain.getModel().failed_stage << ": " << chain.getModel().problem
+              << '\n';
     return false;
   }
-  for (const auto& room : chain.plan->rooms)
+  for (const auto& room : chain.getModel().plan->rooms)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "
               << pcl::sedr::clearHeight(room).mean << " m high\n";
   std::ofstream file("mesh.ply", std::ios::binary);
-  return !!(file << pcl::sedr::meshToPly(chain.poisson.getMesh()) << std::flush);
+  return !!(file << pcl::sedr::meshToPly(chain.getStages().poisson.getMesh())
+                 << std::flush);
 }
 // [use]
 

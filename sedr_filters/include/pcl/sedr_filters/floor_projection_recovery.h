@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/ModelCoefficients.h>
-#include <pcl/sedr_filters/stage_filter.h>
+#include <pcl/sedr_filters/impl/stage_filter.hpp>
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/filters/filter_indices.h>
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/stage_error.h>
 
 #include <cstddef>
@@ -12,29 +12,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The occupied cells, their regions, and which are kept (paper, Figure 3c). */
-struct RegionMap {
-  double cell_size = 0;      ///< metres
-  CellSet cells;             ///< all occupied cells: 1 in the binary map
-  CellRegions regions;       ///< connected regions of the cells, largest first
-  std::vector<int> number;   ///< for each region: 1 .. n if it is kept, 0 if not
-  std::size_t threshold = 0; ///< cells; larger regions are kept
+/** @brief The connected regions of the cells of a cloud, and which are kept (paper,
+ * Figure 3c). */
+struct GridRegions {
+  std::vector<int> labels; ///< of each point: 1 .. n in a kept region, 0 in none or not
+                           ///< among the indices, -1 if it is not finite
+  std::vector<std::size_t> sizes; ///< of all regions, cells, decreasing
+  std::size_t threshold = 0;      ///< cells; larger regions are kept
+  std::size_t kept = 0;           ///< n, number of regions
 };
 
 /** @brief Finds the regions of `points[indices]` and numbers those that are kept.
  * @param cell_size metres, above 0 */
-RegionMap
-selectRegions(const PointView& points, const pcl::Indices& indices, double cell_size);
-
-/** @brief Returns the region number of each point of the cloud. It is 0 if the region
- * is not kept or the point is not among the indices, -1 for non-finite points. */
-std::vector<int>
-labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& indices);
+GridRegions
+findGridRegions(const PointView& points, const pcl::Indices& indices, double cell_size);
 
 } // namespace sedr
 
 /** @brief Removes points outside the large regions in plan (paper, section 2.3.1). Such
- * points belong to neighbouring rooms or the street, seen through doors and windows at
+ * points belong to rooms beside it or the street, seen through doors and windows at
  * ceiling height.
  *
  * The points are divided into square cells of the x-y plane (z up, metres). Occupied
@@ -75,19 +71,16 @@ public:
 
   /** @brief Returns the region of each input point after the last run: 1 .. n for the
    * kept regions by decreasing size, 0 for all other points. */
-  const std::vector<int>& getRegionLabels() const { return region_labels_; }
+  const std::vector<int>& getRegionLabels() const { return regions_.labels; }
 
   /** @brief Returns the sizes of all regions, kept or not: cells, decreasing. */
-  const std::vector<std::size_t>& getRegionSizes() const
-  {
-    return region_map_.regions.sizes;
-  }
+  const std::vector<std::size_t>& getRegionSizes() const { return regions_.sizes; }
 
   /** @brief Returns the adaptive threshold, in cells: larger regions were kept. */
-  std::size_t getThreshold() const { return region_map_.threshold; }
+  std::size_t getThreshold() const { return regions_.threshold; }
 
   /** @brief Returns the number of regions that the last run kept. */
-  std::size_t getNumberOfRegions() const { return number_of_regions_; }
+  std::size_t getNumberOfRegions() const { return regions_.kept; }
 
 protected:
   using FilterIndices<PointT>::filter_name_;
@@ -107,10 +100,7 @@ private:
   bool validate();
 
   double cell_size_ = 0.05;
-
-  std::vector<int> region_labels_;
-  sedr::RegionMap region_map_;
-  std::size_t number_of_regions_ = 0;
+  sedr::GridRegions regions_;
 };
 
 } // namespace pcl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/pcl_exports.h>
+#include <pcl/sedr_filters/impl/stage_thresholds.h>
 
 #include <cmath>
 #include <string>
@@ -9,12 +10,11 @@
 
 namespace pcl::sedr {
 
-/** @brief Prior assumptions about buildings, furniture, scanners and sampling, made
- * before a scan is read: those of all stages from the planes of a scan to the plan of
- * its rooms. Parting of rooms, sheets, walls of the IFC and rays have their own
- * parameters.
+/** @brief Prior assumptions about buildings, furniture and scanners, made before a scan
+ * is read: those of all stages from the planes of a scan to the plan of its rooms.
+ * Parting of rooms, sheets, walls of the IFC and rays have their own parameters.
  *
- * Lengths are in metres, areas in square metres, shares from 0 to 1. priorTable() and
+ * Lengths are in metres, areas in square metres. priorTable() and
  * doc/priors.md list unit, range, source and use of each. Values that depend on a prior
  * are computed from it where they are used.
  *
@@ -23,7 +23,7 @@ namespace pcl::sedr {
  * priors.max_wall = 0.9; // a castle
  * reconstruction.setPriors(priors);
  * @endcode */
-struct Priors {
+struct Priors : StageThresholds {
   // Heights and sizes of rooms and buildings.
   double min_headroom = 1.8;          ///< minimum height of a room or doorway
   double max_building_height = 200;   ///< scans above it are not in metres
@@ -34,11 +34,11 @@ struct Priors {
   double max_door_height = 2.5908;    ///< of interior doors, eight and a half feet
 
   // Walls and what is in them.
-  double min_wall = 0.04;        ///< minimum thickness of a partition: a pane of glass
-  double max_wall = 0.6;         ///< maximum thickness of a wall, with its niches
-  double min_niche_depth = 0.2;  ///< shallower ones are panels, closed doors, blinds
-  double max_niche_depth = 1;    ///< deeper recesses are parts of the room
-  double max_door_width = 1.6;   ///< maximum width of a door or window with a head
+  double min_wall = 0.04;       ///< minimum thickness of a partition: a pane of glass
+  double max_wall = 0.6;        ///< maximum thickness of a wall, with its niches
+  double min_niche_depth = 0.2; ///< shallower ones are panels, closed doors, blinds
+  double max_niche_depth = 1;   ///< deeper recesses are parts of the room
+  double max_door_width = 1.6;  ///< maximum width of a door or window with a head
   double assumed_partition = 0.01; ///< thickness of a partition that was not measured
 
   // Ceilings and floors.
@@ -59,30 +59,7 @@ struct Priors {
   // Scanners: noise and unevenness.
   double unevenness = 0.001; ///< the position of no wall is known better
   double slab_noise = 0.015; ///< noise of a thinned ceiling or floor; steps are higher
-  double surface_band = 0.1; ///< width of the band of a surface with its noise
-  double wall_band = 0.05;   ///< points of a wall are within this distance
   double min_tilt = 0.3;     ///< minimum tilt of a scan that is not level, degrees
-
-  // Sampling: cells and gaps in which evidence is counted.
-  double run_gap = 0.15;      ///< maximum gap in a surface, three usual voxels
-  double evidence_cell = 0.1; ///< edge of a wall cell, in length and height
-  double patch = 0.5;         ///< edge of a surface patch whose direction is fitted
-  double cell_fill = 0.97;    ///< share of ceiling cells filled in a dense enough scan
-  double max_enlargement = 2.5;  ///< maximum factor of the cell size in a sparse scan
-  double min_scan_points = 1000; ///< minimum number of points of a room
-  double min_points = 10;        ///< minimum number of points to fit a curve
-
-  // Thresholds of the share of an object that was seen.
-  double share_unseen = 0.05;  ///< smaller shares count as nothing
-  double share_little = 0.2;   ///< smaller shares may be strays
-  double share_part = 0.4;     ///< shown by one side of an object
-  double share_half = 0.5;     ///< seen of an existing wall
-  double share_clear = 0.6;    ///< seen of a wall that certainly exists
-  double share_closed = 0.7;   ///< seen of the back of a niche
-  double share_most = 0.8;     ///< seen of what certainly exists
-
-  // Directions: small angles, in radians or as sines.
-  double same_axis = 0.026; ///< parallel or square to the scan's axes: 1.5 degrees
 };
 
 /** @brief Name, range and source of one member of Priors. */

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/stage_filter.h>
+#include <pcl/sedr_filters/impl/stage_filter.hpp>
 
 namespace pcl {
 /** @brief Fills the holes of a refined structure (paper, section 2.4). For each cell

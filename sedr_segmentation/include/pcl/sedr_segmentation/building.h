@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Core>
 
@@ -16,23 +17,12 @@
 
 namespace pcl::sedr {
 
-/** @brief Parameters of the room segmentation; lengths in metres. */
-struct BuildingParameters {
-  double cell_size =
-      0.05; ///< of ceilings and floors; gaps are found in cells of twice that
-  double headroom = 1.8;           ///< minimum height of a gap of a room
-  double minimum_area = 1.0;       ///< of a room with headroom, square metres
-  double minimum_enclosure = 0.15; ///< share of a room's outline with walls
-  double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
-  unsigned threads = 0;     ///< 0: all processors
-};
-
 /** @brief A profile of a room: the ends of its gap below and above, metres. */
 struct RoomColumn {
   Cell cell; ///< of the grid of BuildingRooms
   float floor = 0;
   float ceiling = 0;
-  bool floor_seen = true;   ///< false: hidden, taken from the neighbours
+  bool floor_seen = true;   ///< false: hidden, taken from those beside it
   bool ceiling_seen = true; ///< likewise
 };
 
@@ -83,7 +73,8 @@ struct RoomLink {
   double height() const { return top - bottom; }
 };
 
-/** @brief A building: rooms, storeys, links and stairs of a scan. */
+/** @brief A building: rooms, storeys, links and stairs of a scan, see RoomSegmentation.
+ */
 struct Building {
   CellGrid grid{0}; ///< of the profiles of its rooms; of size 0 where there are none
   std::vector<BuildingRoom> rooms;
@@ -99,24 +90,6 @@ struct Building {
   std::vector<std::uint32_t> label_of;
 };
 
-/** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope
- * instead of a plane). The gaps of the profiles are linked to the free space of the
- * building, which is divided at walls, doors and lintels: at what parts two basins of
- * free space as a whole, not at single columns.
- *
- * @param points thinned, z up
- * @param indices the points to use; empty: all
- * @param[out] problem the reason if there is no building, a sentence; else empty
- * @param behind 1 per point seen only through panes, see findMirroredPoints(): space
- * behind them is no room; empty: not known. O(n) for n points; the result does not
- * depend on the number of threads.
- */
-Building findBuilding(const PointView& points,
-                      const std::vector<int>& indices,
-                      const BuildingParameters& parameters,
-                      std::string& problem,
-                      const std::vector<std::uint8_t>& behind = {});
-
 /** @brief Adds to a plan the storeys and stairs of a building, for the rooms in the
  * plan. Rooms are matched by their ids. */
 void giveStoreys(const Building& building, Floorplan& plan);
@@ -126,5 +99,37 @@ void giveStoreys(const Building& building, Floorplan& plan);
  * elsewhere. O(links times openings). */
 std::vector<PlanWarning> linksWithoutOpening(const Building& building,
                                              const Floorplan& plan);
+
+/** @brief Finds the frame of a building, in which what is found on grids does not
+ * depend on where and how its scan lies.
+ *
+ * The direction that most wall has (modulo 90 degrees, to a hundredth of a degree) and
+ * the side to which the building extends most give its direction; the largest walls in
+ * both directions and the largest level surface give its origin. Its axes lie half a
+ * radian aside of the walls: these then cross the cells of a grid at all places, so
+ * that what cells do to a wall averages out along it, while along an axis a whole wall
+ * would depend on where in its cells it lies. Walls are told by what stands out from
+ * the points around it, each voxel counting once. If no direction stands out, as in a
+ * round room, the frame is that of the weak maximum; without walls, that of the scan.
+ *
+ * @code
+ * const pcl::sedr::BuildingFrame frame =
+ *     pcl::sedr::findBuildingFrame(pcl::sedr::PointView(*thinned), indices);
+ * for (auto& p : *thinned)
+ *   p.getVector3fMap() =
+ *       frame.toBuilding(p.getVector3fMap().cast<double>()).cast<float>();
+ * @endcode
+ * O(n log n) for n points; the same for any number of threads.
+ * @param points thinned, metres
+ * @param indices the points to use; empty: all
+ * @param level rotation that makes the scan level, see Levelling
+ * @param cell edge of the cells of the stages that follow, metres
+ * @param threads 0: all processors */
+BuildingFrame
+findBuildingFrame(const PointView& points,
+                  const std::vector<int>& indices = {},
+                  unsigned threads = 0,
+                  const Eigen::Matrix3d& level = Eigen::Matrix3d::Identity(),
+                  double cell = 0.05);
 
 } // namespace pcl::sedr

@@ -16,7 +16,7 @@ namespace sedr {
 /** @brief Parameters of the boundary test of slabs (paper, section 2.3.2 and Table 1).
  */
 struct BoundaryOptions {
-  unsigned int neighbours = 200; ///< nearest points, including the point itself
+  unsigned int neighbors = 200; ///< nearest points, including the point itself
   float angle =
       static_cast<float>(M_PI / 3); ///< maximum gap of an inner point, radians
   unsigned int threads = 0;         ///< 0: all processors
@@ -27,7 +27,7 @@ struct WallGrowingOptions {
   double distance = 0.15; ///< maximum, in plan, seed to wall point, metres
   /** Height that separates upper and lower seeds, metres; NaN: no division. */
   double slice_height = std::numeric_limits<double>::quiet_NaN();
-  unsigned int threads = 0;   ///< 0: all processors
+  unsigned int threads = 0; ///< 0: all processors
 
   bool hasSlice() const { return !std::isnan(slice_height); }
 };
@@ -48,7 +48,7 @@ struct GrownWalls {
  * boundary points of the ceiling; points near a seed in plan are walls. Frame: z up.
  *
  * A ceiling point is a boundary point if the horizontal directions to its nearest
- * neighbours leave a gap wider than an angle, as in pcl::BoundaryEstimation. With
+ * neighbors leave a gap wider than an angle, as in pcl::BoundaryEstimation. With
  * structural details and a slice height, the seeds above the slice are the boundaries
  * of the ceiling and of ceiling and details together. The seeds below the slice are the
  * boundary of the floor, and the details join the walls (paper, Figure 6). Ceiling,
@@ -57,7 +57,7 @@ struct GrownWalls {
  * Process one room at a time: across a partition wall of 10 cm, the ceilings of two
  * rooms leave no gap wide enough. The result does not depend on the number of threads.
  * Time O((c + n) log c) for c ceiling and n candidate points; the factor grows with the
- * number of neighbours along the boundary.
+ * number of neighbors along the boundary.
  * @code
  * pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> growing;
  * growing.setInputCloud(thinned);
@@ -97,8 +97,8 @@ public:
 
   /** @brief Sets the number of nearest points of the boundary test, including the point
    * itself, >= 3. Default 200. */
-  void setNumberOfNeighbors(unsigned int number) { boundary_.neighbours = number; }
-  unsigned int getNumberOfNeighbors() const { return boundary_.neighbours; }
+  void setNumberOfNeighbors(unsigned int number) { boundary_.neighbors = number; }
+  unsigned int getNumberOfNeighbors() const { return boundary_.neighbors; }
 
   /** @brief Sets the maximum gap between directions around an inner point, radians (as
    * in pcl::BoundaryEstimation), above 0 and below 2 pi. Default pi / 3. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/stage_error.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_segmentation/building.h>
+#include <pcl/sedr_segmentation/impl/find_building.h>
 
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>

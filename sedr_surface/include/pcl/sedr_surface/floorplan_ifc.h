@@ -2,11 +2,9 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 #include <pcl/sedr_surface/schedules.h>
 
 #include <cstddef>

@@ -49,8 +49,8 @@ struct MeshSamples {
  * triangle the points follow a low-discrepancy sequence, without clumps or gaps.
  *
  * @param mesh must be valid; a mesh without area gets no points
- * @param spacing metres between neighbouring points, above zero: n = area / spacing^2,
- * at least one
+ * @param spacing metres between one point and the next, above zero: n = area /
+ * spacing^2, at least one
  * @param seed selects the set of points
  * @param max_samples limit of n; the spacing grows where it would be exceeded */
 MeshSamples sampleMesh(const TriangleMesh& mesh,

@@ -3,7 +3,6 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
-#include <pcl/sedr_filters/tilted_walls.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 

@@ -94,8 +94,8 @@ FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
   Eigen::Vector4d plane;
   std::string reason = problem();
   if (reason.empty()) {
-    recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_), sedr::PointView(*input_),
-                                  *indices_, *ceiling_, detail_ ? *detail_ : Indices());
+    recovery = sedr::recoverFloor(grid_size_, sedr::PointView(*input_), *indices_,
+                                  *ceiling_, detail_ ? *detail_ : Indices());
     reason = findPlane(recovery.kept, plane);
   }
   if (!reason.empty()) {

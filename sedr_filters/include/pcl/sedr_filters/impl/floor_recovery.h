@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/types.h>
 
 #include <Eigen/Core>
@@ -19,8 +19,9 @@ struct FloorRecovery {
 /** @brief Compares the cells of a floor with the scope of the rooms: the cells of
  * ceiling and details together (paper, section 2.3.1). A cell without floor is filled
  * from its ceiling points, or else its detail points. Non-finite points occupy no
- * cells. O(n log n). */
-FloorRecovery recoverFloor(const CellGrid& grid,
+ * cells. O(n log n).
+ * @param cell_size metres, above 0 */
+FloorRecovery recoverFloor(double cell_size,
                            const PointView& points,
                            const pcl::Indices& floor,
                            const pcl::Indices& ceiling,

@@ -45,9 +45,7 @@ GridRegionOutlierRemoval<PointT>::clearResults()
 {
   clearError();
   removed_indices_->clear();
-  region_labels_.clear();
-  region_map_ = sedr::RegionMap();
-  number_of_regions_ = 0;
+  regions_ = sedr::GridRegions();
 }
 
 template <typename PointT>
@@ -67,19 +65,15 @@ GridRegionOutlierRemoval<PointT>::applyFilter(Indices& indices)
   clearResults();
   Indices kept; // `indices` may be the input indices themselves
   if (validate()) {
-    region_map_ = sedr::selectRegions(sedr::PointView(*input_), *indices_, cell_size_);
-    for (const int n : region_map_.number)
-      number_of_regions_ += n > 0 ? 1 : 0;
-    region_labels_ =
-        sedr::labelPoints(region_map_, sedr::PointView(*input_), *indices_);
+    regions_ = sedr::findGridRegions(sedr::PointView(*input_), *indices_, cell_size_);
     for (const auto index : *indices_) {
-      const int label = region_labels_[static_cast<std::size_t>(index)];
+      const int label = regions_.labels[static_cast<std::size_t>(index)];
       if (label >= 0 && (label > 0) != negative_)
         kept.push_back(index);
       else if (extract_removed_indices_)
         removed_indices_->push_back(index);
     }
-    std::replace(region_labels_.begin(), region_labels_.end(), -1, 0);
+    std::replace(regions_.labels.begin(), regions_.labels.end(), -1, 0);
   }
   else if (extract_removed_indices_)
     *removed_indices_ = sedr::indicesInRange(*indices_, input_->size());

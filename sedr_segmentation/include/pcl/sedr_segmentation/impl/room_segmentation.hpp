@@ -7,12 +7,6 @@
 #include <string>
 
 namespace pcl {
-namespace sedr {
-
-/** @brief Returns the reason why parameters are invalid, a sentence; empty if valid. */
-std::string problemOf(const BuildingParameters& parameters);
-
-} // namespace sedr
 
 template <typename PointT>
 bool

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_set.h"
 #include "disjoint_sets.h"
-#include <pcl/sedr_filters/cell_grid.h>
 
 #include <functional>
 #include <iterator>

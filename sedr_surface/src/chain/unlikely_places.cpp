@@ -2,7 +2,7 @@
 #include "../drawing/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/plausibility.h>
+#include <pcl/sedr_surface/coverage.h>
 
 #include <algorithm>
 

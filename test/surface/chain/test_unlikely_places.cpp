@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../plan_loops.h"
-#include "sedr_surface/src/chain/chain_run.h"
+#include "sedr_surface/src/chain/unexplained_surfaces.h"
 
-#include <pcl/sedr_surface/plausibility.h>
+#include <pcl/sedr_surface/coverage.h>
 
 #include <gtest/gtest.h>
 

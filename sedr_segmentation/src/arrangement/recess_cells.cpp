@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recess_cells.h"
+
+namespace pcl::sedr {
+
+namespace {
+
+CellMask
+closed(const CellMask& mask, double radius)
+{
+  return eroded(dilated(mask, radius), radius);
+}
+
+/** @brief Looks behind lines for one room, by steps outwards. */
+class RecessSearch {
+public:
+  RecessSearch(const Storey& storey,
+               const std::vector<RoomCells>& cells,
+               std::size_t room,
+               const CellGrid& grid,
+               double max_depth)
+      : grid_(grid)
+      , max_depth_(max_depth)
+      , seen_(closed(cells[room].seen, 2))
+      , opaque_(seen_.box())
+      , next_(seen_.box())
+      , pillar_(dilated(cells[room].pillar, 2))
+      , found_{CellMask(seen_.box()), CellMask(seen_.box())}
+  {
+    for (const std::size_t r : storey.rooms) {
+      addCells(subtract(cells[r].solid, cells[r].glass), opaque_);
+      if (r != room)
+        addCells(cells[r].besideRoom(cells[room], cells[r].seen), next_);
+    }
+    opaque_ = dilated(opaque_, 2);
+    next_ = dilated(next_, 2);
+  }
+
+  void lookBehind(const StoreyLine& line)
+  {
+    for (std::size_t i = 0; i < line.any.size(); ++i) {
+      if (line.tall[i] > 0 || line.between[i] > StoreyLine::Between::Gap)
+        continue;
+      const Eigen::Vector2d p =
+          line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
+      const Eigen::Vector2d normal = leftOf(line.curve.tangentAt(p));
+      const bool goes_on = line.between[i] == StoreyLine::Between::Partly;
+      lookBehind(p, normal, goes_on);
+      lookBehind(p, -normal, goes_on);
+    }
+  }
+
+  RecessCells found() && { return std::move(found_); }
+
+private:
+  bool is(const CellMask& mask, const Eigen::Vector2d& p) const
+  {
+    return mask.at(grid_.at(p.x(), p.y())) != 0;
+  }
+
+  void lookBehind(const Eigen::Vector2d& p, const Eigen::Vector2d& out, bool goes_on)
+  {
+    constexpr double before = 0.15;        // metres: here air of the room was seen,
+    constexpr double inside = 0.4;         // and here
+    constexpr double deepest_reveal = 0.4; // to a leaf, a blind or a back
+    if (!is(seen_, p - before * out) || !is(seen_, p - inside * out))
+      return;
+    const double size = grid_.size();
+    const double step = size / 2;
+    const double farthest = 1.5 * max_depth_ + 3 * size;
+    double depth = 0; // of the seen air behind the line
+    while (depth < farthest && is(seen_, p + (depth + step) * out))
+      depth += step;
+    const Eigen::Vector2d end = p + (depth + step) * out;
+    const bool is_before_room = is(next_, end);
+    if (!(depth > 0) || depth > (is_before_room ? 1.5 : 1) * max_depth_)
+      return;
+    // Behind a leaf in a reveal no air of the room is seen, behind a column there is.
+    if (is(pillar_, end))
+      for (double d = depth + 3 * size; d < farthest; d += step)
+        if (is(seen_, p + d * out))
+          return;
+    const bool has_back = is(opaque_, end) && !is_before_room;
+    if (has_back && !goes_on)
+      return;
+    CellMask& mask = has_back && depth > deepest_reveal ? found_.closed : found_.open;
+    for (double d = step; d <= depth; d += step) {
+      const Eigen::Vector2d q = p + d * out;
+      if (const Cell cell = grid_.at(q.x(), q.y()); mask.isInside(cell))
+        mask.set(cell, 1);
+    }
+  }
+
+  const CellGrid& grid_;
+  double max_depth_;
+  CellMask seen_;
+  CellMask opaque_; ///< near opaque surfaces
+  CellMask next_;   ///< near the air of other rooms
+  CellMask pillar_; ///< near what may be columns
+  RecessCells found_;
+};
+
+} // namespace
+
+std::vector<RecessCells>
+recessCells(const Storey& storey,
+            const std::vector<RoomCells>& cells,
+            const std::vector<StoreyLine>& lines,
+            const CellGrid& grid,
+            double max_depth)
+{
+  std::vector<RecessCells> found(cells.size());
+  for (const std::size_t r : storey.rooms) {
+    RecessSearch search(storey, cells, r, grid, max_depth);
+    for (const StoreyLine& line : lines)
+      if (!line.is_end)
+        search.lookBehind(line);
+    found[r] = std::move(search).found();
+  }
+  return found;
+}
+
+} // namespace pcl::sedr
