@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../curves/plan_curve.h"
+#include "face_lines.h"
 
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief A curve on which faces of walls lie, from one place along it to another:
- * metres, of a circle the angle times its radius. */
-struct FaceCurve {
-  PlanCurve curve;
-  double from = 0;
-  double to = 0;
-  bool is_main = false; ///< along a main direction
-
-  /** @brief Returns how far along the curve the place nearest to `p` is; of a circle at
-   * `from` or more. */
-  double along(const Eigen::Vector2d& p) const;
-  Eigen::Vector2d at(double s) const;
-};
 
 /** @brief Radii of circles that walls may have, metres. */
 struct RadiusRange {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -97,13 +98,157 @@ loopsOf(const std::vector<Piece>& pieces, const PlaceNumbers& places)
   return loops;
 }
 
-} // namespace
+/** @brief Returns the element of pieces that lie on one curve. */
+template <typename Iterator>
+PlanElement
+elementOf(Iterator first,
+          Iterator end,
+          const PlanCurve& curve,
+          const PlaceNumbers& places)
+{
+  PlanElement e;
+  e.start = places.at(first->from);
+  e.end = places.at(std::prev(end)->to);
+  e.inliers = 1;
+  constexpr double off = 0.05; // metres: a chord goes on beyond its arc
+  if (!curve.isCircle() || curve.distance((e.start + e.end) / 2) > off + e.length() / 2)
+    return e;
+  e.centre = curve.point;
+  e.radius = curve.radius;
+  double swept = 0; // by the pieces about the centre
+  for (Iterator piece = first; piece != end; ++piece) {
+    const Eigen::Vector2d a = places.at(piece->from) - curve.point;
+    const Eigen::Vector2d b = places.at(piece->to) - curve.point;
+    swept += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  e.counter_clockwise = swept > 0;
+  return e;
+}
+
+/** @brief Finds where two curves nearly touch, near a place.
+ * @return whether they do */
+bool
+touch(const PlanCurve& a,
+      const PlanCurve& b,
+      const Eigen::Vector2d& near,
+      Eigen::Vector2d& place)
+{
+  constexpr double apart = 0.03; // metres
+  const PlanCurve& arc = a.isCircle() ? a : b;
+  if (!arc.isCircle())
+    return false;
+  const Eigen::Vector2d foot = (a.isCircle() ? b : a).project(arc.point);
+  place = arc.project(foot);
+  return (place - foot).norm() < apart &&
+         (place - near).norm() < 2 * std::sqrt(2 * apart * arc.radius);
+}
+
+/** @brief Returns where two curves meet or touch, if that is near a place, else the
+ * place on the arc. */
+Eigen::Vector2d
+jointOf(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& near)
+{
+  constexpr double reach = 0.1; // metres
+  Eigen::Vector2d joint;
+  if (touch(a, b, near, joint))
+    return joint;
+  joint = (a.isCircle() ? a : b).project(near);
+  double nearest = reach;
+  for (const Eigen::Vector2d& p : intersections(a, b))
+    if (const double d = (p - near).norm(); d < nearest) {
+      nearest = d;
+      joint = p;
+    }
+  return joint;
+}
+
+/** @brief Leaves out short pieces between curves that nearly touch, and moves the ends
+ * of arcs, which lie on their chords, to their circles. */
+void
+closeArcs(PlanLoop& loop)
+{
+  constexpr double shortest = 0.1; // metres
+  std::vector<PlanElement>& elements = loop.elements;
+  const auto at = [&](std::size_t i) -> PlanElement& {
+    return elements[i % elements.size()];
+  };
+  for (std::size_t i = 0; elements.size() > 2 && i < elements.size(); ++i) {
+    const PlanCurve before = carrierOf(at(i + elements.size() - 1));
+    const PlanCurve after = carrierOf(at(i + 1));
+    Eigen::Vector2d joint;
+    if (at(i).length() < shortest && touch(before, after, at(i).start, joint)) {
+      at(i + elements.size() - 1).end = at(i + 1).start = joint;
+      elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(i--));
+    }
+  }
+  if (elements.size() == 1)
+    elements[0].end = elements[0].start =
+        carrierOf(elements[0]).project(elements[0].start);
+  else
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (at(i).isArc() || at(i + 1).isArc())
+        at(i).end = at(i + 1).start =
+            jointOf(carrierOf(at(i)), carrierOf(at(i + 1)), at(i).end);
+}
+
+/** @brief Gives short pieces that lie on the curve before and after them, where another
+ * one touches it, to that. */
+void
+bridgeTouching(std::vector<Piece>& pieces,
+               const std::vector<PlanCurve>& curves,
+               const PlaceNumbers& places)
+{
+  constexpr double longest = 0.2; // metres
+  constexpr double off = 0.01;    // metres
+  const std::size_t n = pieces.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t line = pieces[i].line;
+    if (pieces[(i + 1) % n].line == line)
+      continue;
+    double length = 0;
+    std::size_t end = i + 1; // of the pieces on other curves
+    for (; end < i + n && pieces[end % n].line != line; ++end) {
+      const Eigen::Vector2d& to = places.at(pieces[end % n].to);
+      length += (to - places.at(pieces[end % n].from)).norm();
+      if (length > longest || curves[line].distance(to) > off)
+        break;
+    }
+    if (end < i + n && pieces[end % n].line == line)
+      for (std::size_t k = i + 1; k < end; ++k)
+        pieces[k % n].line = line;
+  }
+}
 
 PlanLoop
-outerLoop(const std::vector<CellBorder>& borders,
-          const std::vector<int>& labels,
-          int label,
-          const std::vector<PlanCurve>& curves)
+planLoop(std::vector<Piece> pieces,
+         const std::vector<PlanCurve>& curves,
+         const PlaceNumbers& places)
+{
+  bridgeTouching(pieces, curves, places);
+  std::size_t first = 0; // where a curve begins
+  while (first < pieces.size() &&
+         pieces[first].line == pieces[(first + pieces.size() - 1) % pieces.size()].line)
+    ++first;
+  std::rotate(pieces.begin(),
+              pieces.begin() + static_cast<std::ptrdiff_t>(first % pieces.size()),
+              pieces.end());
+  PlanLoop loop;
+  for (auto i = pieces.cbegin(), j = i; i != pieces.cend(); i = j) {
+    j = std::find_if(i, pieces.cend(),
+                     [&](const Piece& piece) { return piece.line != i->line; });
+    loop.elements.push_back(elementOf(i, j, curves[i->line], places));
+  }
+  closeArcs(loop);
+  return loop;
+}
+
+} // namespace
+
+LabelLoops
+labelLoops(const std::vector<CellBorder>& borders,
+           const std::vector<int>& labels,
+           int label,
+           const std::vector<PlanCurve>& curves)
 {
   PlaceNumbers places;
   std::vector<Piece> pieces;
@@ -116,64 +261,18 @@ outerLoop(const std::vector<CellBorder>& borders,
     if (a != b)
       pieces.push_back({is_left ? a : b, is_left ? b : a, border.line});
   }
-  std::vector<Piece> outer;
+  LabelLoops found;
   double largest = 0;
-  for (auto& loop : loopsOf(pieces, places))
-    if (const double area = areaOf(loop, places); area > largest) {
+  for (auto& loop : loopsOf(pieces, places)) {
+    const double area = areaOf(loop, places);
+    if (area < 0)
+      found.holes.push_back(planLoop(std::move(loop), curves, places));
+    else if (area > largest) {
       largest = area;
-      outer = std::move(loop);
+      found.outer = planLoop(std::move(loop), curves, places);
     }
-  PlanLoop result;
-  if (outer.empty())
-    return result;
-  const auto isSame = [&](const Piece& a, const Piece& b) { return a.line == b.line; };
-  std::size_t first = 0; // where a curve begins
-  while (first < outer.size() &&
-         isSame(outer[first], outer[(first + outer.size() - 1) % outer.size()]))
-    ++first;
-  if (first == outer.size())
-    return result;
-  std::rotate(outer.begin(), outer.begin() + static_cast<std::ptrdiff_t>(first),
-              outer.end());
-  for (std::size_t i = 0; i < outer.size();) {
-    std::size_t j = i + 1;
-    while (j < outer.size() && isSame(outer[i], outer[j]))
-      ++j;
-    PlanElement e;
-    e.start = places.at(outer[i].from);
-    e.end = places.at(outer[j - 1].to);
-    if (const PlanCurve& curve = curves[outer[i].line]; curve.isCircle()) {
-      e.centre = curve.point;
-      e.radius = curve.radius;
-      const Eigen::Vector2d a = places.at(outer[i].from) - curve.point;
-      const Eigen::Vector2d b = places.at(outer[i].to) - curve.point;
-      e.counter_clockwise = a.x() * b.y() - a.y() * b.x() > 0;
-    }
-    e.inliers = 1;
-    result.elements.push_back(e);
-    i = j;
   }
-  // Corners of arcs lie on their chords: their circles and the lines beside them meet.
-  const std::size_t n = result.elements.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    PlanElement& a = result.elements[i];
-    PlanElement& b = result.elements[(i + 1) % n];
-    if (!a.isArc() && !b.isArc())
-      continue;
-    Eigen::Vector2d corner = a.end;
-    double nearest = 0.1;
-    for (const Eigen::Vector2d& p : intersections(carrierOf(a), carrierOf(b)))
-      if (const double d = (p - a.end).norm(); d < nearest) {
-        nearest = d;
-        corner = p;
-      }
-    if (corner == a.end) {
-      const PlanCurve circle = carrierOf(a.isArc() ? a : b);
-      corner = circle.project(corner);
-    }
-    a.end = b.start = corner;
-  }
-  return result;
+  return found;
 }
 
 } // namespace pcl::sedr

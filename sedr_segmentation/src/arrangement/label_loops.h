@@ -8,12 +8,19 @@
 
 namespace pcl::sedr {
 
-/** @brief Returns the outer border of the largest part with a label, counter-clockwise;
- * neighbours on one curve are one element. Empty if no cell has the label.
+/** @brief The border of the cells with a label; neighbours on one curve are one
+ * element.
+ */
+struct LabelLoops {
+  PlanLoop outer;              ///< of the largest part, counter-clockwise
+  std::vector<PlanLoop> holes; ///< of any part, clockwise
+};
+
+/** @brief Follows the borders of the cells with a label.
  * @param curves of each line of the borders */
-PlanLoop outerLoop(const std::vector<CellBorder>& borders,
-                   const std::vector<int>& labels,
-                   int label,
-                   const std::vector<PlanCurve>& curves);
+LabelLoops labelLoops(const std::vector<CellBorder>& borders,
+                      const std::vector<int>& labels,
+                      int label,
+                      const std::vector<PlanCurve>& curves);
 
 } // namespace pcl::sedr

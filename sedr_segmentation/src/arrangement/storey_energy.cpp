@@ -40,29 +40,6 @@ sharedArea(const Eigen::Vector2d& middle,
   return part.size() > 2 ? signedArea(part) : 0;
 }
 
-/** @brief Returns the cells of recesses behind lines of walls whose ceiling is lower
- * than that of the room before them. */
-CellMask
-revealsOf(const RoomCells& room, const RoomRegion& region, const CellGrid& grid)
-{
-  constexpr double deep = 0.6;   // metres
-  constexpr float lower = 0.08F; // metres
-  const int reach = static_cast<int>(std::lround(deep / grid.size()));
-  CellMask reveals(room.seen.box());
-  for (std::size_t i = 0; i < room.seen.values().size(); ++i) {
-    const Cell cell = room.seen.cellAt(i);
-    if (!room.seen.values()[i] || !region.beyond.at(cell))
-      continue;
-    float top = room.top[i];
-    for (int d = -reach; d <= reach; ++d)
-      for (const Cell by : {Cell{cell.x + d, cell.y}, Cell{cell.x, cell.y + d}})
-        if (room.seen.at(by) && region.cells.at(by))
-          top = std::max(top, room.top[room.seen.indexOf(by)]);
-    reveals.values()[i] = room.low[i] < top - lower ? 1 : 0;
-  }
-  return reveals;
-}
-
 } // namespace
 
 StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
@@ -72,14 +49,16 @@ StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
                          const std::vector<CellBorder>& borders)
     : energy_(energy)
     , labels_(evidence.storey.rooms.size() + 1)
-    , reveals_(evidence.cells.size())
+    , recesses_(recessCells(evidence.storey,
+                            evidence.cells,
+                            lines,
+                            evidence.grid,
+                            evidence.max_wall))
     , label_of_(evidence.cells.size(), 0)
     , of_cell_(polygons.size() * labels_, 0)
 {
   for (std::size_t k = 1; k < labels_; ++k)
     label_of_[evidence.storey.rooms[k - 1]] = static_cast<int>(k);
-  for (const std::size_t r : evidence.storey.rooms)
-    reveals_[r] = revealsOf(evidence.cells[r], evidence.regions[r], evidence.grid);
   addAreas(evidence, polygons);
   for (const CellBorder& border : borders) {
     addFronts(evidence, lines[border.line], border);
@@ -98,30 +77,71 @@ StoreyCosts::addAreas(const StoreyEvidence& evidence,
       box.extend(p);
     const Cell low = grid.at(box.min().x(), box.min().y());
     const Cell high = grid.at(box.max().x(), box.max().y());
-    std::vector<double> seen(labels_, 0);  // air of the room
-    std::vector<double> taken(labels_, 0); // of its region, not seen
+    std::vector<double> cost_of(labels_, 0); // if it is not the room's
+    double air = 0;                          // of any room, also in recesses
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x) {
-        double area = -1;
+        double area = 0;
         for (std::size_t k = 1; k < labels_; ++k) {
           const std::size_t r = evidence.storey.rooms[k - 1];
-          const bool is_seen = evidence.cells[r].seen.at({x, y}) != 0;
-          if (is_seen ? reveals_[r].at({x, y}) : !evidence.regions[r].cells.at({x, y}))
+          if (!evidence.cells[r].seen.at({x, y}))
             continue;
-          if (area < 0)
-            area = sharedArea(grid.centre({x, y}), grid.size(), polygons[c]);
-          (is_seen ? seen : taken)[k] += area;
+          if (!(area > 0))
+            air += area = sharedArea(grid.centre({x, y}), grid.size(), polygons[c]);
+          if (!recesses_[r].open.at({x, y}))
+            cost_of[k] +=
+                area * (recesses_[r].closed.at({x, y}) ? energy_.niche : energy_.seen);
         }
       }
-    const double all = std::accumulate(seen.begin(), seen.end(), 0.0);
-    double* const cost = &of_cell_[c * labels_];
-    cost[0] = energy_.seen * all +
-              energy_.taken * std::accumulate(taken.begin(), taken.end(), 0.0);
-    for (std::size_t k = 1; k < labels_; ++k)
-      cost[k] =
-          energy_.seen * (all - seen[k]) +
-          energy_.unseen * std::max(0.0, signedArea(polygons[c]) - all - taken[k]);
+    const double all = std::accumulate(cost_of.begin(), cost_of.end(), 0.0);
+    const double unseen = std::max(0.0, signedArea(polygons[c]) - air);
+    for (std::size_t k = 0; k < labels_; ++k)
+      of_cell_[c * labels_ + k] =
+          all - cost_of[k] + (k > 0 ? energy_.unseen * unseen : 0);
   }
+}
+
+/** @brief Returns on which side of a place on a surface the room is that saw it: 1 to
+ * the left, -1 to the right, 0 if that is unclear. It is where its air was seen, also
+ * beyond what nobody saw. */
+int
+StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
+                       std::uint32_t room,
+                       const Eigen::Vector2d& p,
+                       const Eigen::Vector2d& left) const
+{
+  constexpr double near[] = {0.12, 0.2}; // metres, clear of the wall's own cells
+  constexpr double far = 2;              // metres
+  enum class Air { None, Recess, Niche, Room };
+  const auto airAt = [&](double d) {
+    const Eigen::Vector2d q = p + d * left;
+    const Cell cell = evidence.grid.at(q.x(), q.y());
+    const RecessCells& recess = recesses_[room];
+    return !evidence.cells[room].seen.at(cell) ? Air::None
+           : recess.open.at(cell)              ? Air::Recess
+           : recess.closed.at(cell)            ? Air::Niche
+                                               : Air::Room;
+  };
+  const auto beside = [&](int side) {
+    return std::min(airAt(near[0] * side), airAt(near[1] * side));
+  };
+  const Air to_left = beside(1);
+  const Air to_right = beside(-1);
+  if (to_left == Air::Room || to_right == Air::Room)
+    return std::min(to_left, to_right) > Air::Recess ? 0
+           : to_left == Air::Room                    ? 1
+                                                     : -1;
+  const auto distance = [&](int side) {
+    for (double d = near[0]; d < far; d += evidence.grid.size())
+      if (const Air air = airAt(d * side); air != Air::None)
+        return air == Air::Room ? d : far;
+    return far;
+  };
+  const double left_distance = distance(1);
+  const double right_distance = distance(-1);
+  return 2 * left_distance < right_distance   ? 1
+         : 2 * right_distance < left_distance ? -1
+                                              : 0;
 }
 
 /** @brief Adds what it costs that the cell before a surface is not of the room that saw
@@ -144,19 +164,12 @@ StoreyCosts::addFronts(const StoreyEvidence& evidence,
     const auto i =
         static_cast<std::size_t>((line.along(p) - line.from) / StoreyLine::bin);
     for (const auto& [room, seen] : line.seen) {
-      if (!(seen[i] > 0))
+      if (!(seen[i] > 0) || !line.is_own[i])
         continue;
-      const auto isAir = [&, room = room](double d) {
-        const Eigen::Vector2d q = p + d * left;
-        const Cell cell = evidence.grid.at(q.x(), q.y());
-        return evidence.cells[room].seen.at(cell) && !reveals_[room].at(cell);
-      };
-      const auto isBefore = [&](double side) { // clear of the wall's own cells
-        return isAir(0.12 * side) && isAir(0.2 * side);
-      };
-      const bool on_left = isBefore(1);
-      if (on_left == isBefore(-1))
+      const int side = sideOfAir(evidence, room, p, left);
+      if (side == 0)
         continue;
+      const bool on_left = side > 0;
       const auto r = static_cast<std::size_t>(label_of_[room]);
       const double explained = static_cast<double>(seen[i]) * length;
       double* const front = &of_cell_[(on_left ? border.left : border.right) * labels_];
@@ -179,6 +192,8 @@ StoreyCosts::costOf(const StoreyLine& line, const CellBorder& border) const
     if (s < line.from || s >= line.to)
       return energy_.open;
     switch (line.between[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)]) {
+    case StoreyLine::Between::Partly:
+      return energy_.partly;
     case StoreyLine::Between::Gap:
       return energy_.gap;
     case StoreyLine::Between::Beyond:
@@ -217,12 +232,17 @@ double
 StoreyCosts::ofBorder(std::size_t border, int left, int right, bool in_use) const
 {
   const BorderCost& known = of_border_[border];
-  if (!in_use)
-    return known.open;
-  double cost = known.other;
-  for (const auto& [label, value] : known.of_room)
-    if (label == left || label == right)
-      cost = std::min(cost, value);
+  double cost = 0; // of each room's face
+  for (const int label : {left, right}) {
+    if (label == 0)
+      continue;
+    const auto own =
+        std::find_if(known.of_room.begin(), known.of_room.end(),
+                     [&](const auto& of_room) { return of_room.first == label; });
+    cost += !in_use                      ? known.open
+            : own == known.of_room.end() ? known.other
+                                         : own->second;
+  }
   return cost;
 }
 

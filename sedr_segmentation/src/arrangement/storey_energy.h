@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan_cells.h"
+#include "recess_cells.h"
 #include "storey_lines.h"
 
 #include <cstddef>
@@ -15,22 +16,24 @@ namespace pcl::sedr {
  * none. Weights are for a square metre of a cell, or a metre of border or surface.
  *
  *     E(labels) = sum over cells     area x (`seen` where air of another room was seen,
- *                       or of any room and the cell is none; `unseen` of a room where
- *                       nobody saw air; `taken` of none where a room's region is)
+ *                       or of any room and the cell is none; `niche` where that air is
+ *                       in a recess with an opaque back, 0 in one that is open;
+ *                       `unseen` of a room where nobody saw air)
  *                     + surface x (`front` if the cell before it is not of the room
  * that saw it; `behind` if the cell behind it is)
- *               + sum over borders   length x (`wall` + what was not explained of the
- *                       surface there x (`gap`, `ended` or `open`: StoreyLine::Between;
- *                       at least `off`))
+ *               + sum over borders and the rooms beside them
+ *                     length x (`wall` + what was not explained of its surface there x
+ * (`partly`, `gap`, `ended` or `open`: StoreyLine::Between; at least `off`))
  *               + sum over lines in use   parameters x `line` */
 struct StoreyEnergy {
   double seen = 40;
-  double taken = 2;
-  double unseen = 12;
+  double niche = 10;
+  double unseen = 6;
   double front = 8;
   double behind = 8;
   double wall = 0.15;
   double off = 4;
+  double partly = 0.3;
   double gap = 1;
   double ended = 3;
   double open = 10;
@@ -41,8 +44,9 @@ struct StoreyEnergy {
 struct StoreyEvidence {
   const Storey& storey;
   const std::vector<RoomCells>& cells;
-  const std::vector<RoomRegion>& regions;
   const CellGrid& grid;
+  double max_wall = 0.6; ///< thickness, metres
+  RadiusRange radii;     ///< of arcs
 };
 
 /** @brief What labels of cells and borders between them cost. Label 0 is none, label
@@ -57,6 +61,10 @@ public:
               const std::vector<PlanCells::Polygon>& polygons,
               const std::vector<CellBorder>& borders);
 
+  int recessAt(std::size_t r, Cell c) const
+  {
+    return recesses_[r].open.at(c) ? 1 : recesses_[r].closed.at(c) ? 2 : 0;
+  } // DUMPL
   std::size_t labels() const { return labels_; }
   std::size_t cells() const { return of_cell_.size() / labels_; }
 
@@ -79,6 +87,10 @@ private:
 
   void addAreas(const StoreyEvidence& evidence,
                 const std::vector<PlanCells::Polygon>& polygons);
+  int sideOfAir(const StoreyEvidence& evidence,
+                std::uint32_t room,
+                const Eigen::Vector2d& p,
+                const Eigen::Vector2d& left) const;
   void addFronts(const StoreyEvidence& evidence,
                  const StoreyLine& line,
                  const CellBorder& border);
@@ -86,8 +98,8 @@ private:
 
   StoreyEnergy energy_;
   std::size_t labels_;
-  std::vector<CellMask> reveals_; ///< by room: recesses with a lower ceiling
-  std::vector<int> label_of_;     ///< of each room
+  std::vector<RecessCells> recesses_; ///< by room
+  std::vector<int> label_of_;         ///< of each room
   std::vector<double> of_cell_;
   std::vector<BorderCost> of_border_;
 };

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_lines.h"
 
-#include "../curves/place_sums.h"
-#include "../curves/plan_points.h"
-#include "../faces/wall_lines.h"
-#include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/base/smooth_counts.h"
 #include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <set>
 #include <tuple>
@@ -20,35 +16,17 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double near_line = 0.03; // metres, of surfaces from their line
-constexpr double apart = 0.04;     // metres, of two lines along each other
 constexpr double max_gap = 5;      // metres, within a line
-constexpr double beyond = 2.5;     // metres that a line goes on
-constexpr double aligned = 0.966;  // cosine
+constexpr double beyond = 4;       // metres that a line goes on,
+constexpr double beyond_arc = 0.2;
+constexpr double ended = 2.5;     // metres that it may do so
+constexpr double aligned = 0.966; // cosine
 
 /** @brief A place at a surface or at the end of air, and the normal there. */
 struct NormalPlace {
   Eigen::Vector2d at;
   Eigen::Vector2d normal;
 };
-
-/** @brief Returns the places of surfaces around which others lie along a line. */
-std::vector<NormalPlace>
-surfacesOf(const std::vector<Eigen::Vector2d>& places)
-{
-  constexpr double reach = 0.15; // metres
-  constexpr double flat = 0.15;  // variance across to that along
-  std::vector<NormalPlace> found;
-  const PlanPoints points(places, reach);
-  for (const Eigen::Vector2d& p : points.all()) {
-    PlaceSums sums; // relative to here: far from the origin, squares lose their digits
-    points.forEachWithin(p, reach, [&](const Eigen::Vector2d& q) { sums.add(q - p); });
-    const Eigen::Vector2d normal = sums.normal();
-    const double across = normal.dot(sums.covariance() * normal);
-    if (sums.n >= 5 && across < flat * (sums.covariance().trace() - across))
-      found.push_back({p, normal});
-  }
-  return found;
-}
 
 /** @brief Returns the places where the seen air of a room ends, normals out of it. */
 std::vector<NormalPlace>
@@ -76,86 +54,6 @@ endsOfAir(const RoomCells& room, const CellGrid& grid)
   return ends;
 }
 
-/** @brief Returns the offsets at which most places lie along a direction, the highest
- * peak first, none within `apart` metres of a higher one. */
-std::vector<double>
-peaksOf(const std::vector<std::pair<double, double>>& places,
-        double sigma,
-        double least)
-{
-  std::vector<double> offsets;
-  for (const auto& [offset, s] : places)
-    offsets.push_back(offset);
-  const SmoothCounts smooth(offsets, sigma);
-  const std::vector<double>& counts = smooth.counts;
-  std::vector<std::pair<double, double>> peaks; // height, offset
-  for (std::size_t k = 1; k + 1 < counts.size(); ++k)
-    if (counts[k] > counts[k - 1] && counts[k] >= counts[k + 1] && counts[k] > least)
-      peaks.emplace_back(-counts[k],
-                         smooth.first + static_cast<double>(k) * smooth.bin);
-  std::sort(peaks.begin(), peaks.end());
-  std::vector<double> kept;
-  for (const auto& [height, offset] : peaks)
-    if (std::none_of(kept.begin(), kept.end(), [o = offset](double other) {
-          return std::abs(other - o) < apart;
-        }))
-      kept.push_back(offset);
-  return kept;
-}
-
-/** @brief Limits of the runs of places that make a line, metres. */
-struct RunLimits {
-  double sigma;  ///< of the offsets of one line
-  double around; ///< farthest of its places from it
-  double gap;    ///< within it
-  double length; ///< minimum, in bins that hold a place
-};
-
-/** @brief Appends a line for each run of places with one offset along a direction.
- * @param normal of the lines */
-void
-appendRuns(const std::vector<NormalPlace>& surfaces,
-           const Eigen::Vector2d& normal,
-           const RunLimits& limits,
-           std::vector<StoreyLine>& lines)
-{
-  const Eigen::Vector2d way = leftOf(normal);
-  std::vector<std::pair<double, double>> places; // offset, along
-  for (const NormalPlace& surface : surfaces)
-    if (std::abs(surface.normal.dot(normal)) > aligned)
-      places.emplace_back(normal.dot(surface.at), way.dot(surface.at));
-  if (places.empty())
-    return;
-  std::sort(places.begin(), places.end());
-  for (const double offset :
-       peaksOf(places, limits.sigma, 2 * limits.length / StoreyLine::bin)) {
-    std::vector<std::pair<double, double>> on; // along, offset
-    for (auto i = std::lower_bound(places.begin(), places.end(),
-                                   std::make_pair(offset - limits.around, -1e9));
-         i != places.end() && i->first < offset + limits.around; ++i)
-      on.emplace_back(i->second, i->first);
-    std::sort(on.begin(), on.end());
-    for (std::size_t i = 0, j = 0; i < on.size(); i = j) {
-      std::vector<double> offsets;
-      std::set<long> bins;
-      for (j = i;
-           j < on.size() && (j == i || on[j].first - on[j - 1].first < limits.gap);
-           ++j) {
-        offsets.push_back(on[j].second);
-        bins.insert(std::lround(on[j].first / StoreyLine::bin));
-      }
-      if (static_cast<double>(bins.size()) * StoreyLine::bin < limits.length)
-        continue;
-      StoreyLine line;
-      line.curve.direction = way;
-      line.curve.point = middleValue(std::move(offsets)) * normal;
-      line.from = on[i].first;
-      line.to = on[j - 1].first;
-      lines.push_back(std::move(line));
-    }
-  }
-}
-
 /** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
 void
 clean(std::vector<float>& bins)
@@ -176,13 +74,33 @@ clean(std::vector<float>& bins)
     }
 }
 
+/** @brief Checks whether a room has one of some kinds of cells at a place. */
+bool
+isNear(const std::vector<std::size_t>& rooms,
+       const std::vector<RoomCells>& cells,
+       std::initializer_list<CellMask RoomCells::*> kinds,
+       Cell cell)
+{
+  for (const std::size_t r : rooms)
+    for (CellMask RoomCells::*const kind : kinds)
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+          if ((cells[r].*kind).at({cell.x + x, cell.y + y}))
+            return true;
+  return false;
+}
+
 /** @brief Finds where each room saw the surface of a line. */
 void
-observe(const Storey& storey, const std::vector<RoomCells>& cells, StoreyLine& line)
+observe(const Storey& storey,
+        const std::vector<RoomCells>& cells,
+        const CellGrid& grid,
+        StoreyLine& line)
 {
   const auto bins =
       static_cast<std::size_t>(std::ceil((line.to - line.from) / StoreyLine::bin)) + 1;
   line.any.assign(bins, 0);
+  std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
   for (const std::size_t r : storey.rooms) {
     std::vector<float> seen(bins, 0);
     for (const Eigen::Vector2d& p : cells[r].wall_points) {
@@ -190,8 +108,9 @@ observe(const Storey& storey, const std::vector<RoomCells>& cells, StoreyLine& l
       const double s = d < 1 ? line.along(p) : line.to + 1;
       if (s < line.from || s > line.to)
         continue;
-      float& value = seen[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)];
-      value = std::max(value, static_cast<float>(1 - d * d));
+      const auto i = static_cast<std::size_t>((s - line.from) / StoreyLine::bin);
+      seen[i] = std::max(seen[i], static_cast<float>(1 - d * d));
+      ends[i] = {std::min(ends[i].first, s), std::max(ends[i].second, s)};
     }
     clean(seen);
     for (std::size_t i = 0; i < bins; ++i)
@@ -199,62 +118,46 @@ observe(const Storey& storey, const std::vector<RoomCells>& cells, StoreyLine& l
     if (std::any_of(seen.begin(), seen.end(), [](float v) { return v > 0; }))
       line.seen.emplace(static_cast<std::uint32_t>(r), std::move(seen));
   }
+  for (std::size_t i = 0; i < bins; ++i) {
+    if (line.any[i] > 0 && (i == 0 || !(line.any[i - 1] > 0)))
+      line.edges.push_back(ends[i].first - StoreyLine::bin / 2);
+    if (line.any[i] > 0 && (i + 1 == bins || !(line.any[i + 1] > 0)))
+      line.edges.push_back(ends[i].second + StoreyLine::bin / 2);
+  }
+  const auto cellOf = [&](std::size_t i) {
+    const Eigen::Vector2d p =
+        line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
+    return grid.at(p.x(), p.y());
+  };
+  line.tall = line.any;
+  for (std::size_t i = 0; i < bins; ++i)
+    if (line.tall[i] > 0 &&
+        !isNear(storey.rooms, cells, {&RoomCells::solid}, cellOf(i)))
+      line.tall[i] = 0;
+  clean(line.tall);
   const auto n = static_cast<std::ptrdiff_t>(bins);
   const auto none = static_cast<std::ptrdiff_t>(1e6);
   std::vector<std::ptrdiff_t> since(bins, none); // bins from the surface before
   std::vector<std::ptrdiff_t> until(bins, none); // and to the next one
   for (std::ptrdiff_t i = 0, count = none; i < n; ++i)
     since[static_cast<std::size_t>(i)] = count =
-        line.any[static_cast<std::size_t>(i)] > 0 ? 0 : count + 1;
+        line.tall[static_cast<std::size_t>(i)] > 0 ? 0 : count + 1;
   for (std::ptrdiff_t i = n, count = none; i-- > 0;)
     until[static_cast<std::size_t>(i)] = count =
-        line.any[static_cast<std::size_t>(i)] > 0 ? 0 : count + 1;
+        line.tall[static_cast<std::size_t>(i)] > 0 ? 0 : count + 1;
   line.between.assign(bins, StoreyLine::Between::Nothing);
-  for (std::size_t i = 0; i < bins; ++i)
-    if (static_cast<double>(since[i] + until[i]) < max_gap / StoreyLine::bin)
-      line.between[i] = StoreyLine::Between::Gap;
-    else if (static_cast<double>(std::min(since[i], until[i])) <
-             beyond / StoreyLine::bin)
-      line.between[i] = StoreyLine::Between::Beyond;
-}
-
-/** @brief Appends the long lines along no main direction, and the arcs that are known.
- */
-void
-appendOthers(const Storey& storey,
-             const std::vector<double>& axes,
-             const std::vector<PlanRoom>& rooms,
-             std::vector<StoreyLine>& lines)
-{
-  constexpr double shortest = 1; // metre, of an oblique surface
-  const double max_turn = radians(3);
-  for (const WallLine& wall : storey.lines) {
-    const double angle = std::atan2(wall.normal.y(), wall.normal.x());
-    const auto is_seen = [](AlongLine what) { return what == AlongLine::Surface; };
-    const auto first = std::find_if(wall.places.begin(), wall.places.end(), is_seen);
-    const auto last = std::find_if(wall.places.rbegin(), wall.places.rend(), is_seen);
-    StoreyLine line;
-    line.parameters = 2;
-    line.curve.direction = leftOf(wall.normal);
-    line.curve.point = wall.offset * wall.normal;
-    line.from =
-        wall.start + static_cast<double>(first - wall.places.begin()) * wall.cell;
-    line.to = wall.start + static_cast<double>(wall.places.rend() - last) * wall.cell;
-    if (std::abs(angleOff(angle, axes)) > max_turn && line.to - line.from > shortest)
-      lines.push_back(std::move(line));
+  for (std::size_t i = 0; i < bins; ++i) {
+    const bool in_gap =
+        static_cast<double>(since[i] + until[i]) < max_gap / StoreyLine::bin;
+    if (!in_gap &&
+        static_cast<double>(std::min(since[i], until[i])) > ended / StoreyLine::bin)
+      continue;
+    line.between[i] =
+        isNear(storey.rooms, cells, {&RoomCells::base, &RoomCells::riser}, cellOf(i))
+            ? StoreyLine::Between::Partly
+        : in_gap ? StoreyLine::Between::Gap
+                 : StoreyLine::Between::Beyond;
   }
-  for (const std::size_t r : storey.rooms)
-    for (const PlanElement& e : rooms[r].boundary.elements) {
-      if (!e.isArc())
-        continue;
-      const Eigen::Vector2d start = (e.counter_clockwise ? e.start : e.end) - e.centre;
-      StoreyLine arc;
-      arc.parameters = 3;
-      arc.curve = carrierOf(e);
-      arc.from = std::atan2(start.y(), start.x()) * e.radius;
-      arc.to = arc.from + e.length();
-      lines.push_back(std::move(arc));
-    }
 }
 
 /** @brief Appends the lines at which the air of a room ends without a surface. */
@@ -277,44 +180,91 @@ appendEnds(const RoomCells& room,
     if (std::none_of(lines.begin(), lines.end(), isBeside))
       ends.push_back(end);
   }
-  const std::size_t first = lines.size();
-  for (const Eigen::Vector2d& normal : normals)
-    appendRuns(ends, normal, {grid.size(), 2 * grid.size(), 1, 0.5}, lines);
-  for (std::size_t k = first; k < lines.size(); ++k) {
-    lines[k].is_end = true;
-    lines[k].from -= on;
-    lines[k].to += on;
+  for (const Eigen::Vector2d& normal : normals) {
+    std::vector<std::pair<double, double>> places; // offset, along
+    for (const NormalPlace& end : ends)
+      if (std::abs(end.normal.dot(normal)) > aligned)
+        places.emplace_back(normal.dot(end.at), leftOf(normal).dot(end.at));
+    for (const FaceCurve& run : linesAlong(std::move(places), normal,
+                                           {grid.size(), 2 * grid.size(), 1, 0.5})) {
+      StoreyLine& line = lines.emplace_back();
+      static_cast<FaceCurve&>(line) = run;
+      line.is_end = true;
+      line.from -= on;
+      line.to += on;
+    }
+  }
+}
+
+/** @brief Appends lines across the ends of faces that end at no other one. */
+void
+appendEdges(std::vector<StoreyLine>& lines)
+{
+  constexpr double reach = 0.6; // metres to both sides
+  constexpr double near = 0.06; // metres, of another line
+  const std::size_t faces = lines.size();
+  for (std::size_t k = 0; k < faces; ++k) {
+    const StoreyLine line = lines[k];
+    if (line.is_end)
+      continue;
+    for (const double s : line.edges) {
+      const Eigen::Vector2d p = line.at(s);
+      const Eigen::Vector2d way = line.curve.tangentAt(p);
+      if (std::any_of(lines.begin(), lines.end(), [&](const StoreyLine& other) {
+            const double t = other.along(p);
+            return other.curve.distance(p) < near && t > other.from - reach &&
+                   t < other.to + reach &&
+                   std::abs(other.curve.tangentAt(p).dot(way)) < 0.7;
+          }))
+        continue;
+      StoreyLine edge;
+      edge.is_end = true;
+      edge.curve.point = p;
+      edge.curve.direction = leftOf(way);
+      edge.from = -reach;
+      edge.to = reach;
+      const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
+      edge.any.assign(bins, 0);
+      edge.between.assign(bins, StoreyLine::Between::Nothing);
+      lines.push_back(std::move(edge));
+    }
+  }
+}
+
+/** @brief Finds which surfaces are a line's own, not those of one before it that is as
+ * near. */
+void
+findOwn(std::vector<StoreyLine>& lines)
+{
+  constexpr double beside = 0.04;   // metres
+  constexpr double parallel = 0.98; // cosine
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    StoreyLine& line = lines[k];
+    line.is_own.assign(line.any.size(), 1);
+    for (std::size_t i = 0; i < line.any.size(); ++i) {
+      if (!(line.any[i] > 0))
+        continue;
+      const Eigen::Vector2d p =
+          line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
+      const Eigen::Vector2d way = line.curve.tangentAt(p);
+      line.is_own[i] = std::none_of(
+          lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(k),
+          [&](const StoreyLine& other) {
+            return other.curve.distance(p) < beside &&
+                   std::abs(other.curve.tangentAt(p).dot(way)) > parallel &&
+                   other.seenAt(other.curve.project(p)) > 0;
+          });
+    }
   }
 }
 
 } // namespace
 
 double
-StoreyLine::along(const Eigen::Vector2d& p) const
-{
-  if (!curve.isCircle())
-    return curve.direction.dot(p - curve.point);
-  const Eigen::Vector2d d = p - curve.point;
-  double s = std::atan2(d.y(), d.x()) * curve.radius;
-  while (s < from)
-    s += 2 * M_PI * curve.radius;
-  return s;
-}
-
-Eigen::Vector2d
-StoreyLine::at(double s) const
-{
-  if (!curve.isCircle())
-    return curve.point + s * curve.direction;
-  const double angle = s / curve.radius;
-  return curve.point + curve.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-}
-
-double
 StoreyLine::seenAt(const Eigen::Vector2d& p) const
 {
   const double s = along(p);
-  return s < from || s >= to
+  return s < from || s >= to || curve.distance(p) > near_line
              ? -1
              : static_cast<double>(
                    any[static_cast<std::size_t>((s - from) / StoreyLine::bin)]);
@@ -331,44 +281,41 @@ std::vector<StoreyLine>
 storeyLines(const Storey& storey,
             const std::vector<RoomCells>& cells,
             const CellGrid& grid,
-            const std::vector<PlanRoom>& rooms)
+            const RadiusRange& radii)
 {
-  std::vector<double> angles;
-  std::vector<double> weights;
-  for (const WallLine& line : storey.lines) {
-    angles.push_back(std::atan2(line.normal.y(), line.normal.x()));
-    weights.push_back(static_cast<double>(
-        std::count(line.places.begin(), line.places.end(), AlongLine::Surface)));
-  }
-  const std::vector<double> axes = mainAngles(angles, weights, 3, 0.2);
-  std::vector<Eigen::Vector2d> normals;
-  for (const double axis : axes) {
-    normals.emplace_back(std::cos(axis), std::sin(axis));
-    normals.push_back(leftOf(normals.back()));
-  }
-  std::vector<NormalPlace> surfaces;
-  for (const std::size_t r : storey.rooms) {
-    const std::vector<NormalPlace> of_room = surfacesOf(cells[r].wall_points);
-    surfaces.insert(surfaces.end(), of_room.begin(), of_room.end());
-  }
-  std::vector<StoreyLine> lines;
-  for (const Eigen::Vector2d& normal : normals)
-    appendRuns(surfaces, normal, {0.015, 0.025, max_gap, 0.2}, lines);
-  appendOthers(storey, axes, rooms, lines);
+  std::vector<Eigen::Vector2d> places;
   for (const std::size_t r : storey.rooms)
-    appendEnds(cells[r], grid, normals, lines);
-  for (StoreyLine& line : lines) {
-    if (!line.curve.isCircle() && !line.is_end) {
-      line.from -= beyond;
-      line.to += beyond;
-    }
-    observe(storey, cells, line);
+    places.insert(places.end(), cells[r].wall_points.begin(),
+                  cells[r].wall_points.end());
+  const FaceCurves faces = faceCurves(places, radii);
+  std::vector<StoreyLine> lines;
+  for (const FaceCurve& face : faces.curves) {
+    StoreyLine& line = lines.emplace_back();
+    static_cast<FaceCurve&>(line) = face;
+    line.parameters = face.curve.isCircle() ? 3 : face.is_main ? 1 : 2;
   }
+  for (const std::size_t r : storey.rooms)
+    appendEnds(cells[r], grid, faces.normals, lines);
+  for (StoreyLine& line : lines) {
+    const double on =
+        line.is_end ? 0
+        : line.curve.isCircle()
+            ? std::min(beyond_arc, M_PI * line.curve.radius - (line.to - line.from) / 2)
+            : beyond;
+    line.from -= on;
+    line.to += on;
+    observe(storey, cells, grid, line);
+  }
+  appendEdges(lines);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const StoreyLine& a, const StoreyLine& b) {
-                     return std::make_tuple(a.is_end, -a.support(), a.from - a.to) <
-                            std::make_tuple(b.is_end, -b.support(), b.from - b.to);
+                     const auto order = [](const StoreyLine& line) {
+                       return std::make_tuple(line.is_end, line.curve.isCircle(),
+                                              -line.support(), line.from - line.to);
+                     };
+                     return order(a) < order(b);
                    });
+  findOwn(lines);
   return lines;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../curves/plan_curve.h"
 #include "../regions/storey_regions.h"
-#include <pcl/sedr_filters/floorplan.h>
+#include "face_curves.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,29 +13,26 @@ namespace pcl::sedr {
 
 /** @brief A line or a circle on which walls of a storey may lie, and where its surface
  * was seen. Lengths in metres, along the curve. */
-struct StoreyLine {
+struct StoreyLine : FaceCurve {
   static constexpr double bin = 0.05; ///< of what was seen
 
   /** @brief What is on a line where no surface was seen. */
   enum class Between : std::uint8_t {
-    Gap, ///< between two parts of the surface: a door, a window, a cupboard before it
+    Partly, ///< below or above it goes on, as at a window or a door
+    Gap,    ///< between two parts of the surface: a passage, a cupboard before it
     Beyond, ///< near an end of the surface
     Nothing ///< farther away
   };
 
-  PlanCurve curve;
-  double from = 0;
-  double to = 0;
-  bool is_end = false; ///< no surface: there ends the air that was seen
+  bool is_end = false; ///< no surface: air that was seen ends there, or a face does
   double parameters = 1;
   std::map<std::uint32_t, std::vector<float>>
-      seen;                     ///< share explained, by room and bin
-  std::vector<float> any;       ///< the most of them
-  std::vector<Between> between; ///< of each bin
-
-  /** @brief Returns how far along the curve the place nearest to `p` is. */
-  double along(const Eigen::Vector2d& p) const;
-  Eigen::Vector2d at(double s) const;
+      seen;                         ///< share explained, by room and bin
+  std::vector<float> any;           ///< the most of them
+  std::vector<float> tall;          ///< the same where it reaches up to the ceiling
+  std::vector<Between> between;     ///< of each bin where it does not
+  std::vector<std::uint8_t> is_own; ///< in each bin: no better line has its surface
+  std::vector<double> edges; ///< where the surface begins or ends, along the curve
 
   /** @brief Returns how well a surface is explained at a place; -1 beyond the ends. */
   double seenAt(const Eigen::Vector2d& p) const;
@@ -45,13 +41,11 @@ struct StoreyLine {
   double support() const;
 };
 
-/** @brief Finds the lines of a storey: peaks of the offsets of its surfaces along the
- * main directions, other lines that are long, the arcs of outlines that are known, and
- * where seen air ends without a surface. Those with most surface come first.
- * O(surfaces x lines). */
+/** @brief Finds the lines of a storey: those of its faces, where seen air ends without
+ * one, and across the ends of faces. Those with most surface come first. */
 std::vector<StoreyLine> storeyLines(const Storey& storey,
                                     const std::vector<RoomCells>& cells,
                                     const CellGrid& grid,
-                                    const std::vector<PlanRoom>& rooms);
+                                    const RadiusRange& radii);
 
 } // namespace pcl::sedr

@@ -19,7 +19,8 @@ namespace {
 std::vector<PlanDivider>
 dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_of)
 {
-  constexpr double chord = 0.2; // metres, of an arc
+  constexpr double longest = 0.2; // metres, of a chord of an arc,
+  constexpr double share = 0.5;   // of its radius
   std::vector<PlanDivider> dividers;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const StoreyLine& line = lines[k];
@@ -27,7 +28,8 @@ dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_
       continue;
     const auto pieces =
         line.curve.isCircle()
-            ? static_cast<std::size_t>(std::ceil((line.to - line.from) / chord))
+            ? static_cast<std::size_t>(std::ceil(
+                  (line.to - line.from) / std::min(longest, share * line.curve.radius)))
             : std::size_t{1};
     const double step = (line.to - line.from) / static_cast<double>(pieces);
     for (std::size_t i = 0; i < pieces; ++i) {
@@ -219,7 +221,7 @@ labelStorey(const StoreyEvidence& evidence,
   if (evidence.storey.rooms.empty())
     return;
   const std::vector<StoreyLine> lines =
-      storeyLines(evidence.storey, evidence.cells, evidence.grid, rooms);
+      storeyLines(evidence.storey, evidence.cells, evidence.grid, evidence.radii);
   Eigen::AlignedBox2d box;
   for (const std::size_t r : evidence.storey.rooms) {
     box.extend(evidence.grid.centre(evidence.cells[r].seen.box().low));
@@ -231,14 +233,48 @@ labelStorey(const StoreyEvidence& evidence,
   nameBorders(lines, line_of, borders);
   const StoreyCosts costs(evidence, energy, lines, arrangement.polygons(), borders);
   const StoreyLabelling labelling(costs, lines, borders, energy.line);
+  if (getenv("DUMPL")) { // DUMPL
+    static int count = 0;
+    FILE* f = fopen(
+        (std::string(getenv("DUMPL")) + "_" + std::to_string(count++)).c_str(), "w");
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const StoreyLine& l = lines[k];
+      fprintf(f, "L %zu %d %d %.4f %.4f %.4f %.4f %.4f %.4f %.4f %.2f", k,
+              int(l.is_end), int(l.parameters), l.curve.point.x(), l.curve.point.y(),
+              l.curve.direction.x(), l.curve.direction.y(), l.curve.radius, l.from,
+              l.to, l.support());
+      for (float v : l.any)
+        fprintf(f, " %.2f", v);
+      fprintf(f, "\n");
+    }
+    for (std::size_t b = 0; b < borders.size(); ++b)
+      fprintf(f, "B %u %.4f %.4f %.4f %.4f %d %d\n", borders[b].line,
+              borders[b].start.x(), borders[b].start.y(), borders[b].end.x(),
+              borders[b].end.y(), labelling.labels()[borders[b].left],
+              labelling.labels()[borders[b].right]);
+    for (const std::size_t r : evidence.storey.rooms)
+      for (const auto& p : evidence.cells[r].wall_points)
+        fprintf(f, "P %zu %.4f %.4f\n", r, p.x(), p.y());
+    for (const std::size_t r : evidence.storey.rooms)
+      for (std::size_t i = 0; i < evidence.cells[r].seen.values().size(); ++i)
+        if (evidence.cells[r].seen.values()[i]) {
+          auto c = evidence.grid.centre(evidence.cells[r].seen.cellAt(i));
+          fprintf(f, "S %zu %.4f %.4f %d\n", r, c.x(), c.y(),
+                  costs.recessAt(r, evidence.cells[r].seen.cellAt(i)));
+        }
+    fclose(f);
+  }
   std::vector<PlanCurve> curves;
   for (const StoreyLine& line : lines)
     curves.push_back(line.curve);
   for (std::size_t k = 0; k < evidence.storey.rooms.size(); ++k) {
-    PlanLoop loop =
-        outerLoop(borders, labelling.labels(), static_cast<int>(k) + 1, curves);
-    if (!loop.elements.empty())
-      rooms[evidence.storey.rooms[k]].boundary = std::move(loop);
+    LabelLoops loops =
+        labelLoops(borders, labelling.labels(), static_cast<int>(k) + 1, curves);
+    if (loops.outer.elements.empty())
+      continue;
+    PlanRoom& room = rooms[evidence.storey.rooms[k]];
+    room.boundary = std::move(loops.outer);
+    room.columns = std::move(loops.holes);
   }
 }
 

@@ -2,7 +2,7 @@
 #include "loop_assembly.h"
 
 #include "../curves/contour.h"
-#include "loop_curve.h"
+#include "../curves/fitted_curve.h"
 #include "loop_proposals.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/plan/plan_segment.h"

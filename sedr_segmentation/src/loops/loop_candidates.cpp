@@ -2,7 +2,7 @@
 #include "loop_candidates.h"
 
 #include "../faces/wall_lines.h"
-#include "loop_curve.h"
+#include "../curves/fitted_curve.h"
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>

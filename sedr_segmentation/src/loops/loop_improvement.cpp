@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "loop_curve.h"
+#include "../curves/fitted_curve.h"
 #include "loop_proposals.h"
 #include "loop_solver.h"
 #include "sedr_filters/src/base/middle_value.h"

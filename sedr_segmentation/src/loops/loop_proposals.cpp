@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_proposals.h"
 
-#include "loop_curve.h"
+#include "../curves/fitted_curve.h"
 #include "sedr_filters/src/base/densest_window.h"
 #include "sedr_filters/src/base/middle_value.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_solver.h"
 
-#include "loop_curve.h"
+#include "../curves/fitted_curve.h"
 #include "loop_proposals.h"
 #include "sedr_filters/src/base/parallel.h"
 

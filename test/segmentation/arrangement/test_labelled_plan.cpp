@@ -2,6 +2,9 @@
 // Plans whose outlines are found by one labelling of the storey.
 #include "../plan/two_rooms.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace {
@@ -54,9 +57,36 @@ TEST(LabelledPlan, CornersAtAnyAngleInTheGrid)
     }
 }
 
+TEST(LabelledPlan, APilasterIsPartOfTheOutline)
+{
+  expectOutline(
+      polygon({{0, 0}, {5, 0}, {5, 1.5}, {4.7, 1.5}, {4.7, 2}, {5, 2}, {5, 4}, {0, 4}}),
+      0.003, 0.004);
+}
+
 TEST(LabelledPlan, WallsThatAreNotSquare)
 {
   expectOutline(polygon({{0, 0}, {6, 0}, {6, 2.5}, {4, 4}, {0, 4}}), 0.003, 0.004);
+}
+
+TEST(LabelledPlan, ACurvedWallIsOneArc)
+{
+  const double half = std::asin(3.0 / 5) * 180 / M_PI;
+  const PlanLoop bulging{{segment({-3, 0}, {3, 0}), segment({3, 0}, {3, 4}),
+                          arc({0, 0}, 5, 90 - half, 90 + half),
+                          segment({-3, 4}, {-3, 0})}};
+  RoomPoints points(0.05, 0.003);
+  const RoomParts parts = points.room(bulging, 0, 2.5);
+  const Floorplan plan = labelledPlan(points, evidenceOf(points, parts));
+  ASSERT_EQ(plan.rooms.size(), 1U);
+  const std::vector<PlanElement>& walls = plan.rooms[0].boundary.elements;
+  ASSERT_EQ(walls.size(), 4U);
+  EXPECT_EQ(std::count_if(walls.begin(), walls.end(),
+                          [](const PlanElement& e) {
+                            return e.isArc() && std::abs(e.radius - 5) < 0.01;
+                          }),
+            1);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, bulging), 0.004);
 }
 
 TEST(LabelledPlan, EachRoomHasItsOwnFaceOfAPartition)
@@ -83,6 +113,19 @@ TEST(LabelledPlan, AWallGoesStraightOnBehindShelvesThatStandOffIt)
   evidence.all = joined(evidence.all, shelves);
   evidence.walls = joined(evidence.walls, shelves);
   expectOutline(points, evidence, truth, 0.004);
+}
+
+TEST(LabelledPlan, EndsWhereTheAirEndsThatWasSeen)
+{
+  // Nobody saw the wall at x = 5, nor anything beyond it.
+  const PlanLoop truth = rectangle(0.01, 0.01, 5.01, 4.01);
+  RoomPoints points(0.05, 0.003);
+  const RoomParts parts = points.room(
+      roomOf(truth, 2.5), [](const Eigen::Vector3d& p) { return p.x() < 4.9; });
+  const Floorplan plan = labelledPlan(points, evidenceOf(points, parts));
+  ASSERT_EQ(plan.rooms.size(), 1U);
+  EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4U);
+  EXPECT_NEAR(plan.rooms[0].area(), 4.95 * 4, 0.21);
 }
 
 } // namespace

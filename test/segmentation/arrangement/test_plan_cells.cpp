@@ -109,7 +109,7 @@ struct LabelledGrid {
 
   PlanLoop loop(int label) const
   {
-    return outerLoop(cells.borders(), labels, label, curves);
+    return labelLoops(cells.borders(), labels, label, curves).outer;
   }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../curves/plan_curve.h"
+#include "plan_curve.h"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "loop_curve.h"
+#include "fitted_curve.h"
 
 #include <Eigen/Dense>
 

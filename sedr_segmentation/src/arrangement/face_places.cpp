@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "face_places.h"
+
+#include "../curves/place_sums.h"
+#include "../curves/plan_curve.h"
+#include "sedr_filters/src/base/middle_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double bin = 0.05;   // metres along a face
+constexpr double reach = 0.15; // metres to those that tell its direction
+
+/** @brief Measures half of the width of a face, by its noise. */
+double
+halfWidth(const PlanPoints& points)
+{
+  constexpr double least = 0.012;
+  constexpr double most = 0.045;
+  std::vector<double> scatter;
+  for (const Eigen::Vector2d& p : points.all()) {
+    PlaceSums sums; // relative: far from the origin, squares lose their digits
+    points.forEachWithin(p, reach, [&](const Eigen::Vector2d& q) { sums.add(q - p); });
+    const Eigen::Vector2d normal = sums.normal();
+    if (sums.n >= 5)
+      scatter.push_back(
+          std::sqrt(std::max(0.0, normal.dot(sums.covariance() * normal))));
+  }
+  return scatter.empty()
+             ? least
+             : std::clamp(2.5 * middleValue(std::move(scatter)), least, most);
+}
+
+/** @brief Returns the normal of the narrow strip through a place that holds most of
+ * the places around it; zero if it is short.
+ * @param around relative to the place
+ * @param strip half of its width */
+Eigen::Vector2d
+localNormal(const std::vector<Eigen::Vector2d>& around, double strip)
+{
+  constexpr int turns = 24;       // of half a turn
+  constexpr double least = 0.025; // metres: deviation along the strip
+  PlaceSums best;
+  for (int k = 0; k < turns; ++k) {
+    const double angle = k * M_PI / turns;
+    const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
+    PlaceSums sums;
+    for (const Eigen::Vector2d& d : around)
+      if (std::abs(normal.dot(d)) < strip)
+        sums.add(d);
+    if (sums.n > best.n)
+      best = sums;
+  }
+  const Eigen::Vector2d normal = best.normal();
+  const Eigen::Vector2d way = leftOf(normal);
+  return way.dot(best.covariance() * way) > least * least ? normal
+                                                          : Eigen::Vector2d::Zero();
+}
+
+} // namespace
+
+FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
+    : points(given, reach)
+{
+  constexpr double beside = 0.06; // metres
+  std::map<std::pair<long, long>, double> counts;
+  const auto cellOf = [](const Eigen::Vector2d& p) {
+    return std::make_pair(std::lround(p.x() / bin), std::lround(p.y() / bin));
+  };
+  for (const Eigen::Vector2d& p : points.all())
+    ++counts[cellOf(p)];
+  strip = halfWidth(points);
+  std::vector<Eigen::Vector2d> around;
+  for (const Eigen::Vector2d& p : points.all()) {
+    around.clear();
+    points.forEachWithin(p, reach,
+                         [&](const Eigen::Vector2d& q) { around.emplace_back(q - p); });
+    FacePlace place{p, localNormal(around, strip), bin / counts[cellOf(p)]};
+    double n = 0;
+    double offset = 0;
+    for (const Eigen::Vector2d& d : around)
+      if (std::abs(leftOf(place.normal).dot(d)) < beside &&
+          std::abs(place.normal.dot(d)) < strip) {
+        ++n;
+        offset += place.normal.dot(d);
+      }
+    place.at += offset / n * place.normal;
+    places.push_back(place);
+  }
+  std::vector<double> scatter;
+  for (const FacePlace& place : places) {
+    double n = 0;
+    double sum = 0;
+    if (!place.normal.isZero())
+      points.forEachIndexWithin(place.at, reach, [&](std::size_t i) {
+        const double d = place.normal.dot(places[i].at - place.at);
+        if (std::abs(d) < strip) {
+          ++n;
+          sum += d * d;
+        }
+      });
+    if (n > 0)
+      scatter.push_back(std::sqrt(sum / n));
+  }
+  sigma = std::max(0.002, scatter.empty() ? 0 : middleValue(std::move(scatter)));
+}
+
+std::vector<std::pair<double, double>>
+FacePlaces::alongDirection(const Eigen::Vector2d& normal) const
+{
+  constexpr double beside = 0.13; // metres
+  constexpr int bins = 2;         // with such places, besides its own
+  const Eigen::Vector2d way = leftOf(normal);
+  std::vector<std::pair<double, double>> found;
+  for (const FacePlace& place : places) {
+    if (!place.normal.isZero() && std::abs(place.normal.dot(normal)) < 0.8)
+      continue;
+    unsigned filled = 0;
+    points.forEachWithin(place.at, beside, [&](const Eigen::Vector2d& q) {
+      const Eigen::Vector2d d = q - place.at;
+      if (std::abs(normal.dot(d)) < strip)
+        filled |= 1U << (3 + static_cast<int>(std::lround(way.dot(d) / bin)));
+    });
+    const auto isFilled = [&](int k) { return (filled >> (3 + k) & 1U) != 0; };
+    int full = 0;
+    for (int side : {-1, 1})
+      for (int k = side; std::abs(k) < 3 && isFilled(k); k += side)
+        ++full;
+    if (full >= bins)
+      found.emplace_back(normal.dot(place.at), way.dot(place.at));
+  }
+  return found;
+}
+
+} // namespace pcl::sedr

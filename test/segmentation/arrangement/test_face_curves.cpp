@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../plan_loops.h"
+#include "sedr_segmentation/src/arrangement/face_curves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace sedr_test;
+using pcl::sedr::FaceCurve;
+using pcl::sedr::FaceCurves;
+using pcl::sedr::PlanLoop;
+
+/** Returns places on a loop, 5 cm apart and eight at each, as a scan of a wall gives.
+ */
+std::vector<Eigen::Vector2d>
+placesOn(const std::vector<PlanLoop>& loops, double noise)
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> off(0, noise);
+  std::vector<Eigen::Vector2d> places;
+  for (const PlanLoop& loop : loops)
+    for (const auto& e : loop.elements)
+      for (double s = 0.025; s < e.length(); s += 0.05)
+        for (int k = 0; k < 8; ++k)
+          places.emplace_back(e.pointAt(s) + Eigen::Vector2d(off(random), off(random)));
+  return places;
+}
+
+/** Expects a curve for each element, and no other.
+ * @param shared elements that lie on the line of another one */
+void
+expectCurves(const std::vector<PlanLoop>& loops,
+             double noise,
+             double tolerance,
+             std::size_t shared = 0)
+{
+  const FaceCurves found = pcl::sedr::faceCurves(placesOn(loops, noise));
+  std::size_t elements = 0;
+  for (const PlanLoop& loop : loops)
+    for (const auto& e : loop.elements) {
+      ++elements;
+      EXPECT_TRUE(std::any_of(
+          found.curves.begin(), found.curves.end(),
+          [&](const FaceCurve& face) {
+            if (face.curve.isCircle() != e.isArc())
+              return false;
+            double worst = 0;
+            for (double t = 0.05; t < 1; t += 0.1)
+              worst = std::max(worst, face.curve.distance(e.pointAt(t * e.length())));
+            return worst < tolerance;
+          }))
+          << "element " << elements;
+    }
+  EXPECT_EQ(found.curves.size() + shared, elements);
+}
+
+TEST(FaceCurves, AreOneForEachWallOfARoomAtAnyAngle)
+{
+  const PlanLoop room = polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}});
+  for (const double degrees : {0, 3, 17, 45, 88})
+    for (const double noise : {0.0, 0.005, 0.02}) {
+      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+      expectCurves({placed(room, degrees, {1.013, -7.021})}, noise, 0.002 + noise / 3);
+    }
+}
+
+TEST(FaceCurves, ArcsTangentToWallsAreNoLines)
+{
+  for (const double noise : {0.001, 0.01})
+    for (const PlanLoop& room : {stadium(4, 1.5), roundedRectangle(6, 4, 1)}) {
+      SCOPED_TRACE(noise);
+      expectCurves({placed(room, 33, {0.017, 0.023})}, noise, 0.004 + noise / 2);
+    }
+}
+
+TEST(FaceCurves, ColumnsAndFacesOfTenCentimetresAreFound)
+{
+  expectCurves(
+      {polygon(
+           {{0, 0}, {2, 0}, {2, 0.15}, {2.4, 0.15}, {2.4, 0}, {5, 0}, {5, 3}, {0, 3}}),
+       circle({1, 1.5}, 0.15), circle({3.2, 1.6}, 0.4),
+       placed(rectangle(-0.2, -0.2, 0.2, 0.2), 30, {4.2, 1.4})},
+      0.002, 0.004);
+}
+
+TEST(FaceCurves, ChamfersAndBentWallsAreLines)
+{
+  expectCurves({polygon({{0.5, 0}, {5, 0}, {5, 4}, {0, 4}, {0, 0.5}})}, 0.003, 0.004);
+  expectCurves({polygon({{0, 0}, {6, 0}, {6, 3}, {3, 3.315}, {0, 3}})}, 0.003, 0.004);
+}
+
+TEST(FaceCurves, AreNoneWithoutPlaces)
+{
+  EXPECT_TRUE(pcl::sedr::faceCurves({}).curves.empty());
+  EXPECT_TRUE(pcl::sedr::faceCurves({{1, 1}}).curves.empty());
+}
+
+} // namespace
