@@ -18,14 +18,8 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double bin = 0.05;        // metres along a curve
-constexpr double near_curve = 0.03; // metres, of places from theirs
-constexpr double rate = 40;         // nats a metre of a face that is explained
-constexpr double of_line = 5.4;     // nats of a line along a main direction
-constexpr double of_oblique = 13.7; // nats of another one
-constexpr double of_circle = 23;    // nats of a circle
-constexpr double max_within = 5;    // metres, within a line along a main direction
-constexpr double max_hole = 0.6;    // metres, within another curve
+constexpr double max_within = 5; // metres, within a line along a main direction
+constexpr double max_hole = 0.6; // metres, within another curve
 
 /** @brief The places, and curves through them. */
 class FaceSearch : FacePlaces {
@@ -229,18 +223,19 @@ private:
     double ends[2] = {0, 0};
     for (const int side : {0, 1}) {
       double last = 0;
-      for (double s = 0; s < std::min(last + max_hole, half); s += bin) {
+      for (double s = 0; s < std::min(last + max_hole, half); s += FaceCurve::bin) {
         const Eigen::Vector2d p = found.at(start + (side ? s : -s));
         bool is_seen = false;
-        points.forEachIndexWithin(p, std::hypot(near, bin / 2), [&](std::size_t i) {
-          const FacePlace& place = places[i];
-          if (curve.distance(place.at) > near ||
-              (!place.normal.isZero() &&
-               std::abs(curve.tangentAt(place.at).dot(place.normal)) > 0.4))
-            return;
-          is_seen = true;
-          support.push_back(place.at);
-        });
+        points.forEachIndexWithin(
+            p, std::hypot(near, FaceCurve::bin / 2), [&](std::size_t i) {
+              const FacePlace& place = places[i];
+              if (curve.distance(place.at) > near ||
+                  (!place.normal.isZero() &&
+                   std::abs(curve.tangentAt(place.at).dot(place.normal)) > 0.4))
+                return;
+              is_seen = true;
+              support.push_back(place.at);
+            });
         if (is_seen)
           last = s;
       }
@@ -273,14 +268,15 @@ private:
   /** @brief Returns the places that a curve explains, and how well. */
   std::vector<std::pair<std::uint32_t, float>> explainedBy(const FaceCurve& found) const
   {
-    const double near = std::max(near_curve, 8 * sigma);
+    const double near = std::max(costs_.reach, 8 * sigma);
     std::vector<std::pair<std::uint32_t, float>> explained;
     const auto steps =
-        static_cast<std::size_t>(std::ceil((found.to - found.from) / bin)) + 1;
+        static_cast<std::size_t>(std::ceil((found.to - found.from) / FaceCurve::bin)) +
+        1;
     for (std::size_t k = 0; k < steps; ++k)
       points.forEachIndexWithin(
-          found.at(found.from + static_cast<double>(k) * bin),
-          std::hypot(near, bin / 2), [&](std::size_t i) {
+          found.at(found.from + static_cast<double>(k) * FaceCurve::bin),
+          std::hypot(near, FaceCurve::bin / 2), [&](std::size_t i) {
             const FacePlace& place = places[i];
             const double d = found.curve.distance(place.at) / near;
             if (d >= 1 ||
@@ -304,7 +300,7 @@ private:
       double gain = 0;
       for (const auto& [i, share] : of[c])
         gain += std::max(0.F, share - explained[i]) * places[i].length;
-      return rate * gain - costOf(found_[c]);
+      return costs_.face * gain - costOf(found_[c]);
     };
     for (std::size_t c = 0; c < found_.size(); ++c) {
       of[c] = explainedBy(found_[c]);
@@ -372,11 +368,14 @@ private:
     }
   }
 
-  static double costOf(const FaceCurve& found)
+  double costOf(const FaceCurve& found) const
   {
-    return found.curve.isCircle() ? of_circle : found.is_main ? of_line : of_oblique;
+    return found.curve.isCircle() ? costs_.circle
+           : found.is_main        ? costs_.line
+                                  : costs_.oblique;
   }
 
+  FaceCosts costs_;
   RadiusRange radii_;
   std::vector<Eigen::Vector2d> normals_;
   std::vector<FaceCurve> found_;

@@ -12,8 +12,6 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double bin = 0.05; // metres along a line
-
 /** @brief Returns the offsets at which most places lie, the highest peak first, none
  * near a higher one. */
 std::vector<double>
@@ -28,7 +26,7 @@ peaksOf(const std::vector<std::pair<double, double>>& places, const RunLimits& l
   std::vector<std::pair<double, double>> peaks; // height, offset
   for (std::size_t k = 1; k + 1 < counts.size(); ++k)
     if (counts[k] > counts[k - 1] && counts[k] >= counts[k + 1] &&
-        counts[k] > 2 * limits.length / bin)
+        counts[k] > 2 * limits.length / FaceCurve::bin)
       peaks.emplace_back(-counts[k],
                          smooth.first + static_cast<double>(k) * smooth.bin);
   std::sort(peaks.begin(), peaks.end());
@@ -86,9 +84,9 @@ linesAlong(std::vector<std::pair<double, double>> places,
            j < on.size() && (j == i || on[j].first - on[j - 1].first < limits.gap);
            ++j) {
         offsets.push_back(on[j].second);
-        bins.insert(std::lround(on[j].first / bin));
+        bins.insert(std::lround(on[j].first / FaceCurve::bin));
       }
-      if (static_cast<double>(bins.size()) * bin < limits.length)
+      if (static_cast<double>(bins.size()) * FaceCurve::bin < limits.length)
         continue;
       FaceCurve line;
       line.curve.direction = leftOf(normal);

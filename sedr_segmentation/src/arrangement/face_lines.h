@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace pcl::sedr {
 /** @brief A curve on which faces of walls lie, from one place along it to another:
  * metres, of a circle the angle times its radius. */
 struct FaceCurve {
+  static constexpr double bin =
+      0.05; ///< metres along it in which a face is seen or not
+
   PlanCurve curve;
   double from = 0;
   double to = 0;
@@ -22,6 +26,12 @@ struct FaceCurve {
    * `from` or more. */
   double along(const Eigen::Vector2d& p) const;
   Eigen::Vector2d at(double s) const;
+
+  /** @brief Checks whether it is a whole circle. */
+  bool isWhole() const
+  {
+    return curve.isCircle() && to - from > 2 * M_PI * curve.radius - bin;
+  }
 };
 
 /** @brief Limits of the runs of places that make a line, metres. */

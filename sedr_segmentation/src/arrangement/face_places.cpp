@@ -2,7 +2,7 @@
 #include "face_places.h"
 
 #include "../curves/place_sums.h"
-#include "../curves/plan_curve.h"
+#include "face_lines.h"
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
@@ -14,7 +14,6 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double bin = 0.05;   // metres along a face
 constexpr double reach = 0.15; // metres to those that tell its direction
 
 /** @brief Measures half of the width of a face, by its noise. */
@@ -71,7 +70,8 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
   constexpr double beside = 0.06; // metres
   std::map<std::pair<long, long>, double> counts;
   const auto cellOf = [](const Eigen::Vector2d& p) {
-    return std::make_pair(std::lround(p.x() / bin), std::lround(p.y() / bin));
+    return std::make_pair(std::lround(p.x() / FaceCurve::bin),
+                          std::lround(p.y() / FaceCurve::bin));
   };
   for (const Eigen::Vector2d& p : points.all())
     ++counts[cellOf(p)];
@@ -81,7 +81,7 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
     around.clear();
     points.forEachWithin(p, reach,
                          [&](const Eigen::Vector2d& q) { around.emplace_back(q - p); });
-    FacePlace place{p, localNormal(around, strip), bin / counts[cellOf(p)]};
+    FacePlace place{p, localNormal(around, strip), FaceCurve::bin / counts[cellOf(p)]};
     double n = 0;
     double offset = 0;
     for (const Eigen::Vector2d& d : around)
@@ -125,7 +125,8 @@ FacePlaces::alongDirection(const Eigen::Vector2d& normal) const
     points.forEachWithin(place.at, beside, [&](const Eigen::Vector2d& q) {
       const Eigen::Vector2d d = q - place.at;
       if (std::abs(normal.dot(d)) < strip)
-        filled |= 1U << (3 + static_cast<int>(std::lround(way.dot(d) / bin)));
+        filled |=
+            1U << (3 + static_cast<int>(std::lround(way.dot(d) / FaceCurve::bin)));
     });
     const auto isFilled = [&](int k) { return (filled >> (3 + k) & 1U) != 0; };
     int full = 0;

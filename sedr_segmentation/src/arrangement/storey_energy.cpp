@@ -102,8 +102,7 @@ StoreyCosts::addAreas(const StoreyEvidence& evidence,
 }
 
 /** @brief Returns on which side of a place on a surface the room is that saw it: 1 to
- * the left, -1 to the right, 0 if that is unclear. It is where its air was seen, also
- * beyond what nobody saw. */
+ * the left, -1 to the right, 0 if that is unclear. */
 int
 StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        std::uint32_t room,
@@ -111,7 +110,6 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        const Eigen::Vector2d& left) const
 {
   constexpr double near[] = {0.12, 0.2}; // metres, clear of the wall's own cells
-  constexpr double far = 2;              // metres
   enum class Air { None, Recess, Niche, Room };
   const auto airAt = [&](double d) {
     const Eigen::Vector2d q = p + d * left;
@@ -127,21 +125,10 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
   };
   const Air to_left = beside(1);
   const Air to_right = beside(-1);
-  if (to_left == Air::Room || to_right == Air::Room)
-    return std::min(to_left, to_right) > Air::Recess ? 0
-           : to_left == Air::Room                    ? 1
-                                                     : -1;
-  const auto distance = [&](int side) {
-    for (double d = near[0]; d < far; d += evidence.grid.size())
-      if (const Air air = airAt(d * side); air != Air::None)
-        return air == Air::Room ? d : far;
-    return far;
-  };
-  const double left_distance = distance(1);
-  const double right_distance = distance(-1);
-  return 2 * left_distance < right_distance   ? 1
-         : 2 * right_distance < left_distance ? -1
-                                              : 0;
+  if (std::max(to_left, to_right) != Air::Room ||
+      std::min(to_left, to_right) > Air::Recess)
+    return 0;
+  return to_left == Air::Room ? 1 : -1;
 }
 
 /** @brief Adds what it costs that the cell before a surface is not of the room that saw
@@ -191,7 +178,10 @@ StoreyCosts::costOf(const StoreyLine& line, const CellBorder& border) const
     const double s = line.along(p);
     if (s < line.from || s >= line.to)
       return energy_.open;
-    switch (line.between[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)]) {
+    const auto i = static_cast<std::size_t>((s - line.from) / StoreyLine::bin);
+    if (line.tall[i] > 0) // the face of another room
+      return energy_.open;
+    switch (line.between[i]) {
     case StoreyLine::Between::Partly:
       return energy_.partly;
     case StoreyLine::Between::Gap:
@@ -214,13 +204,11 @@ StoreyCosts::costOf(const StoreyLine& line, const CellBorder& border) const
   for (const auto& [room, seen] : line.seen) {
     double own = energy_.wall * border.length();
     for (const Eigen::Vector2d& p : places) {
-      const double missing = missingAt(p);
       const double explained =
           line.seenAt(p) > 0 ? static_cast<double>(seen[static_cast<std::size_t>(
                                    (line.along(p) - line.from) / StoreyLine::bin)])
                              : 0;
-      own += length * (explained > 0 ? (1 - explained) * std::max(missing, energy_.off)
-                                     : missing);
+      own += length * (explained > 0 ? (1 - explained) * energy_.off : missingAt(p));
     }
     if (own < cost.other - 1e-9)
       cost.of_room.emplace_back(label_of_[room], own);

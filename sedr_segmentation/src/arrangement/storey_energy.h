@@ -22,8 +22,9 @@ namespace pcl::sedr {
  *                     + surface x (`front` if the cell before it is not of the room
  * that saw it; `behind` if the cell behind it is)
  *               + sum over borders and the rooms beside them
- *                     length x (`wall` + what was not explained of its surface there x
- * (`partly`, `gap`, `ended` or `open`: StoreyLine::Between; at least `off`))
+ *                     length x (`wall` + `off` x what was not explained of a surface
+ *                       that the room saw; `partly`, `gap`, `ended` or `open` where it
+ *                       saw none, see StoreyLine::Between)
  *               + sum over lines in use   parameters x `line` */
 struct StoreyEnergy {
   double seen = 40;
@@ -33,11 +34,11 @@ struct StoreyEnergy {
   double behind = 8;
   double wall = 0.15;
   double off = 4;
-  double partly = 0.3;
+  double partly = 0.15;
   double gap = 1;
   double ended = 3;
   double open = 10;
-  double line = 0.7;
+  double line = 1.2;
 };
 
 /** @brief The rooms of a storey and what is known of them. */
@@ -61,10 +62,6 @@ public:
               const std::vector<PlanCells::Polygon>& polygons,
               const std::vector<CellBorder>& borders);
 
-  int recessAt(std::size_t r, Cell c) const
-  {
-    return recesses_[r].open.at(c) ? 1 : recesses_[r].closed.at(c) ? 2 : 0;
-  } // DUMPL
   std::size_t labels() const { return labels_; }
   std::size_t cells() const { return of_cell_.size() / labels_; }
 

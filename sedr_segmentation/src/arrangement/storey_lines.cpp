@@ -152,8 +152,10 @@ observe(const Storey& storey,
     if (!in_gap &&
         static_cast<double>(std::min(since[i], until[i])) > ended / StoreyLine::bin)
       continue;
+    const Cell cell = cellOf(i);
     line.between[i] =
-        isNear(storey.rooms, cells, {&RoomCells::base, &RoomCells::riser}, cellOf(i))
+        isNear(storey.rooms, cells, {&RoomCells::base, &RoomCells::riser}, cell) &&
+                !isNear(storey.rooms, cells, {&RoomCells::solid}, cell)
             ? StoreyLine::Between::Partly
         : in_gap ? StoreyLine::Between::Gap
                  : StoreyLine::Between::Beyond;
@@ -200,12 +202,13 @@ appendEnds(const RoomCells& room,
 void
 appendEdges(std::vector<StoreyLine>& lines)
 {
-  constexpr double reach = 0.6; // metres to both sides
-  constexpr double near = 0.06; // metres, of another line
+  constexpr double reach = 0.6;    // metres to both sides
+  constexpr double near = 0.06;    // metres, of another line
+  constexpr double shortest = 0.2; // metres, of a face that is found
   const std::size_t faces = lines.size();
   for (std::size_t k = 0; k < faces; ++k) {
     const StoreyLine line = lines[k];
-    if (line.is_end)
+    if (line.is_end || line.isWhole())
       continue;
     for (const double s : line.edges) {
       const Eigen::Vector2d p = line.at(s);
@@ -225,7 +228,12 @@ appendEdges(std::vector<StoreyLine>& lines)
       edge.to = reach;
       const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
       edge.any.assign(bins, 0);
+      edge.tall = edge.any;
       edge.between.assign(bins, StoreyLine::Between::Nothing);
+      for (std::size_t i = 0; i < bins; ++i) // sides of pilasters may be too short
+        if (std::abs((static_cast<double>(i) + 0.5) * StoreyLine::bin - reach) <
+            shortest)
+          edge.between[i] = StoreyLine::Between::Beyond;
       lines.push_back(std::move(edge));
     }
   }

@@ -14,8 +14,6 @@ namespace pcl::sedr {
 /** @brief A line or a circle on which walls of a storey may lie, and where its surface
  * was seen. Lengths in metres, along the curve. */
 struct StoreyLine : FaceCurve {
-  static constexpr double bin = 0.05; ///< of what was seen
-
   /** @brief What is on a line where no surface was seen. */
   enum class Between : std::uint8_t {
     Partly, ///< below or above it goes on, as at a window or a door

@@ -233,37 +233,6 @@ labelStorey(const StoreyEvidence& evidence,
   nameBorders(lines, line_of, borders);
   const StoreyCosts costs(evidence, energy, lines, arrangement.polygons(), borders);
   const StoreyLabelling labelling(costs, lines, borders, energy.line);
-  if (getenv("DUMPL")) { // DUMPL
-    static int count = 0;
-    FILE* f = fopen(
-        (std::string(getenv("DUMPL")) + "_" + std::to_string(count++)).c_str(), "w");
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      const StoreyLine& l = lines[k];
-      fprintf(f, "L %zu %d %d %.4f %.4f %.4f %.4f %.4f %.4f %.4f %.2f", k,
-              int(l.is_end), int(l.parameters), l.curve.point.x(), l.curve.point.y(),
-              l.curve.direction.x(), l.curve.direction.y(), l.curve.radius, l.from,
-              l.to, l.support());
-      for (float v : l.any)
-        fprintf(f, " %.2f", v);
-      fprintf(f, "\n");
-    }
-    for (std::size_t b = 0; b < borders.size(); ++b)
-      fprintf(f, "B %u %.4f %.4f %.4f %.4f %d %d\n", borders[b].line,
-              borders[b].start.x(), borders[b].start.y(), borders[b].end.x(),
-              borders[b].end.y(), labelling.labels()[borders[b].left],
-              labelling.labels()[borders[b].right]);
-    for (const std::size_t r : evidence.storey.rooms)
-      for (const auto& p : evidence.cells[r].wall_points)
-        fprintf(f, "P %zu %.4f %.4f\n", r, p.x(), p.y());
-    for (const std::size_t r : evidence.storey.rooms)
-      for (std::size_t i = 0; i < evidence.cells[r].seen.values().size(); ++i)
-        if (evidence.cells[r].seen.values()[i]) {
-          auto c = evidence.grid.centre(evidence.cells[r].seen.cellAt(i));
-          fprintf(f, "S %zu %.4f %.4f %d\n", r, c.x(), c.y(),
-                  costs.recessAt(r, evidence.cells[r].seen.cellAt(i)));
-        }
-    fclose(f);
-  }
   std::vector<PlanCurve> curves;
   for (const StoreyLine& line : lines)
     curves.push_back(line.curve);

@@ -175,29 +175,6 @@ fitLoops(const Storey& storey,
   }
 }
 
-StoreyEnergy
-dbgEnergy()
-{
-  StoreyEnergy e;
-  const auto get = [](const char* name, double& v) {
-    if (const char* t = getenv(name))
-      v = atof(t);
-  };
-  get("E_LINE", e.line);
-  get("E_UNSEEN", e.unseen);
-  get("E_FRONT", e.front);
-  get("E_BEHIND", e.behind);
-  get("E_GAP", e.gap);
-  get("E_ENDED", e.ended);
-  get("E_PARTLY", e.partly);
-  get("E_WALL", e.wall);
-  get("E_OFF", e.off);
-  get("E_OPEN", e.open);
-  get("E_NICHE", e.niche);
-  get("E_SEEN", e.seen);
-  return e;
-}
-
 /** @brief Returns whether enough of a surface is known for a plane. */
 bool
 isKnown(const std::vector<int>& seen, const std::vector<Eigen::Vector3f>& hidden)
@@ -306,13 +283,13 @@ fitPlanByEnergy(const PointView& points,
   noise.resize(storeys.size());
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s], noise[s]);
-    if (getenv("LABEL") || parameters.label_storeys)
+    if (parameters.label_storeys)
       labelStorey({storeys[s],
                    cells,
                    grid,
                    priors.max_wall,
                    {parameters.minimum_radius, parameters.maximum_radius}},
-                  dbgEnergy(), rooms);
+                  StoreyEnergy(), rooms);
     for (const std::size_t r : storeys[s].rooms)
       noise[s].rooms.push_back(numbers[r]);
   });
