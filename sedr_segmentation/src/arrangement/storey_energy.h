@@ -38,7 +38,7 @@ struct StoreyEnergy {
   double gap = 1;
   double ended = 3;
   double open = 10;
-  double line = 1.2;
+  double line = 2.5;
 };
 
 /** @brief The rooms of a storey and what is known of them. */
