@@ -2,6 +2,7 @@
 #include "label_loops.h"
 
 #include "../curves/contour.h"
+#include "../curves/fitted_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,16 +151,10 @@ jointOf(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& near)
 {
   constexpr double reach = 0.1; // metres
   Eigen::Vector2d joint;
-  if (touch(a, b, near, joint))
+  if (touch(a, b, near, joint) ||
+      (meet(a, b, near, joint) && (joint - near).norm() < reach))
     return joint;
-  joint = (a.isCircle() ? a : b).project(near);
-  double nearest = reach;
-  for (const Eigen::Vector2d& p : intersections(a, b))
-    if (const double d = (p - near).norm(); d < nearest) {
-      nearest = d;
-      joint = p;
-    }
-  return joint;
+  return (a.isCircle() ? a : b).project(near);
 }
 
 /** @brief Leaves out short pieces between curves that nearly touch, and moves the ends

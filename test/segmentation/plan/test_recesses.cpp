@@ -72,7 +72,10 @@ fittedAbove(double sill,
 const RoomPoints::OnWall all_of_it = [](double, double) { return true; };
 const RoomPoints::OnWall nothing = [](double, double) { return false; };
 
-TEST(Recesses, AboveASillAreNoPartOfThePlan)
+class Recesses : public OutlinesByBoth {};
+INSTANTIATE_TEST_SUITE_P(Outlines, Recesses, testing::Bool(), nameOfMethod);
+
+TEST_P(Recesses, AboveASillAreNoPartOfThePlan)
 {
   for (const double sill : {0.45, 0.9}) {
     const PlanRoom room = fittedAbove(sill, 0.25, all_of_it);
@@ -84,7 +87,7 @@ TEST(Recesses, AboveASillAreNoPartOfThePlan)
   }
 }
 
-TEST(Recesses, NextToACornerAndBehindFurnitureNeither)
+TEST(RecessesOfLoops, NextToACornerAndBehindFurnitureNeither)
 {
   for (const double end : {3.5, 5.0}) {
     const PlanRoom room = fittedAbove(0.9, 0.25, all_of_it, false, end, 0.55);
@@ -93,7 +96,7 @@ TEST(Recesses, NextToACornerAndBehindFurnitureNeither)
   }
 }
 
-TEST(Recesses, BesidePilastersNeither)
+TEST_P(Recesses, BesidePilastersNeither)
 {
   const PlanLoop walls = polygon({{0, 0},
                                   {6, 0},
@@ -127,7 +130,7 @@ TEST(Recesses, BesidePilastersNeither)
   EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
 }
 
-TEST(Recesses, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
+TEST(RecessesOfLoops, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
 {
   const PlanLoop walls = rectangle(0, 0, 6, 4);
   const PlanLoop bay = rectangle(0.12, 4, 5.88, 4.2);
@@ -149,7 +152,7 @@ TEST(Recesses, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
   EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
 }
 
-TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
+TEST_P(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
 {
   const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {
     return s < 0.1 || s > 1.9 || std::abs(s - 1) < 0.05 || z < 0.55 || z > 2.5;
@@ -158,7 +161,7 @@ TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
   EXPECT_TRUE(room.niches.empty());
 }
 
-TEST(Recesses, ASoffitThatGoesOnIntoThemEndsAtTheWall)
+TEST(RecessesOfLoops, ASoffitThatGoesOnIntoThemEndsAtTheWall)
 {
   for (const double depth : {0.25, 0.5}) {
     const PlanRoom room = fittedAbove(0.9, depth, all_of_it, true);
@@ -170,14 +173,24 @@ TEST(Recesses, ASoffitThatGoesOnIntoThemEndsAtTheWall)
   }
 }
 
-TEST(Recesses, NorAreThoseThatOneSeesThrough)
+TEST(RecessesOfLabels, DeepOnesWithAnOpaqueBackArePartOfTheRoom)
+{
+  // Base units in line with a bulkhead: between them the wall is seen.
+  label_storeys = true;
+  const PlanRoom room = fittedAbove(0.9, 0.5, all_of_it, true);
+  label_storeys = false;
+  EXPECT_EQ(room.boundary.elements.size(), 8u);
+  EXPECT_LT(cornerError(room.boundary, withRecess(0.5)), 0.01);
+}
+
+TEST_P(Recesses, NorAreThoseThatOneSeesThrough)
 {
   const PlanRoom room = fittedAbove(0, 0.35, nothing);
   EXPECT_EQ(room.boundary.elements.size(), 4u);
   EXPECT_TRUE(room.niches.empty());
 }
 
-TEST(Recesses, FromFloorToCeilingTheyArePartsOfIt)
+TEST_P(Recesses, FromFloorToCeilingTheyArePartsOfIt)
 {
   for (const double depth : {0.25, 0.5}) {
     const PlanRoom room = fittedAbove(0, depth, all_of_it);

@@ -29,7 +29,10 @@ expectShape(const PlanLoop& truth, double noise, double tolerance)
   EXPECT_LT(outlineError(loop, truth), tolerance);
 }
 
-TEST(WallShapes, CornersAtAnyAngleInTheGrid)
+class WallShapes : public OutlinesByBoth {};
+INSTANTIATE_TEST_SUITE_P(Outlines, WallShapes, testing::Bool(), nameOfMethod);
+
+TEST_P(WallShapes, CornersAtAnyAngleInTheGrid)
 {
   const PlanLoop shape = polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}});
   for (const double degrees : {0, 3, 17, 30, 45, 62, 88})
@@ -39,7 +42,7 @@ TEST(WallShapes, CornersAtAnyAngleInTheGrid)
     }
 }
 
-TEST(WallShapes, ARoundRoomIsOneCircle)
+TEST_P(WallShapes, ARoundRoomIsOneCircle)
 {
   for (const double radius : {0.8, 2.0}) {
     const PlanLoop loop =
@@ -51,7 +54,7 @@ TEST(WallShapes, ARoundRoomIsOneCircle)
   }
 }
 
-TEST(WallShapes, CurvedWallsThatMeetOthersAtAnAngle)
+TEST_P(WallShapes, CurvedWallsThatMeetOthersAtAnAngle)
 {
   const double half = std::asin(3.0 / 5) * 180 / M_PI;
   const PlanLoop bulging{{segment({-3, 0}, {3, 0}), segment({3, 0}, {3, 4}),
@@ -64,7 +67,7 @@ TEST(WallShapes, CurvedWallsThatMeetOthersAtAnAngle)
   }
 }
 
-TEST(WallShapes, ArcsTangentToWallsAreOneArcEach)
+TEST_P(WallShapes, ArcsTangentToWallsAreOneArcEach)
 {
   for (const auto& shape : {stadium(4, 1.5), roundedRectangle(6, 4, 1)})
     for (const double degrees : {0.0, 33.0}) {
@@ -81,7 +84,7 @@ TEST(WallShapes, ArcsTangentToWallsAreOneArcEach)
     }
 }
 
-TEST(WallShapes, AnSCurveIsTwoArcs)
+TEST_P(WallShapes, AnSCurveIsTwoArcs)
 {
   // The right wall of a room continues over two arcs of 2 m into another line, each
   // tangent to the next.
@@ -103,7 +106,7 @@ TEST(WallShapes, AnSCurveIsTwoArcs)
   }
 }
 
-TEST(WallShapes, AWallThatTurnsOverAShortArcIsNotCutIntoStraightPieces)
+TEST(WallShapesOfLoops, AWallThatTurnsOverAShortArcIsNotCutIntoStraightPieces)
 {
   for (const auto& [radius, turn] :
        {std::pair(1.1, 60.0), std::pair(1.5, 45.0), std::pair(1.5, 60.0)}) {
@@ -124,7 +127,7 @@ TEST(WallShapes, AWallThatTurnsOverAShortArcIsNotCutIntoStraightPieces)
   }
 }
 
-TEST(WallShapes, ChamfersAndFlatAnglesStayStraight)
+TEST_P(WallShapes, ChamfersAndFlatAnglesStayStraight)
 {
   for (const double noise : {0.002, 0.015}) {
     SCOPED_TRACE(noise);
@@ -143,7 +146,7 @@ TEST(WallShapes, ChamfersAndFlatAnglesStayStraight)
   }
 }
 
-TEST(WallShapes, PilastersAndNichesHaveRightAngles)
+TEST(WallShapesOfLoops, PilastersAndNichesHaveRightAngles)
 {
   const PlanLoop in_wall = polygon({{0, 0},
                                     {1, 0},
@@ -167,7 +170,7 @@ TEST(WallShapes, PilastersAndNichesHaveRightAngles)
   }
 }
 
-TEST(WallShapes, PartitionsHaveTwoFacesAndAnEnd)
+TEST_P(WallShapes, PartitionsHaveTwoFacesAndAnEnd)
 {
   for (const double thickness : {0.08, 0.12, 0.2}) {
     SCOPED_TRACE(thickness);
@@ -184,7 +187,7 @@ TEST(WallShapes, PartitionsHaveTwoFacesAndAnEnd)
   }
 }
 
-TEST(WallShapes, ColumnsAreSquareOrRound)
+TEST(WallShapesOfLoops, ColumnsAreSquareOrRound)
 {
   for (const double degrees : {0.0, 30.0}) {
     SCOPED_TRACE(degrees);
@@ -211,7 +214,7 @@ TEST(WallShapes, ColumnsAreSquareOrRound)
   }
 }
 
-TEST(WallShapes, AColumnIsOneThoughFewRaysMeetThreeQuartersOfIt)
+TEST_P(WallShapes, AColumnIsOneThoughFewRaysMeetThreeQuartersOfIt)
 {
   for (const PlanLoop& column :
        {circle({3, 2}, 0.25), rectangle(2.75, 1.75, 3.25, 2.25)}) {
@@ -238,7 +241,7 @@ TEST(WallShapes, AColumnIsOneThoughFewRaysMeetThreeQuartersOfIt)
   }
 }
 
-TEST(WallShapes, AColumnIsOneThoughASideOfItWasNotSeen)
+TEST_P(WallShapes, AColumnIsOneThoughASideOfItWasNotSeen)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
   truth.columns = {reversed(rectangle(2.8, 1.8, 3.2, 2.2))};
@@ -250,7 +253,7 @@ TEST(WallShapes, AColumnIsOneThoughASideOfItWasNotSeen)
   EXPECT_LT(outlineError(room.columns[0], truth.columns[0]), 0.05);
 }
 
-TEST(WallShapes, ColumnsBelowABeamAreFound)
+TEST_P(WallShapes, ColumnsBelowABeamAreFound)
 {
   for (const double degrees : {0.0, 21.0}) {
     SCOPED_TRACE(degrees);
@@ -268,7 +271,7 @@ TEST(WallShapes, ColumnsBelowABeamAreFound)
   }
 }
 
-TEST(WallShapes, AColumnBeforeAWallIsOne)
+TEST_P(WallShapes, AColumnBeforeAWallIsOne)
 {
   for (const double gap : {0.3, 0.6}) {
     SCOPED_TRACE(gap);
