@@ -32,6 +32,7 @@ public:
     for (const Eigen::Vector2d& normal : normals_)
       addLines(normal);
     addChains();
+    measureFaces();
   }
 
   /** @brief Keeps the curves that explain what no better one does, fitted to the places
@@ -291,6 +292,30 @@ private:
     return explained;
   }
 
+  /** @brief Measures what a metre of face that no curve explains costs, by how many
+   * places there are on no long one: in a room without furniture they are a column's,
+   * in others mostly not structure. */
+  void measureFaces()
+  {
+    constexpr double longest = 1; // metre
+    std::vector<std::uint8_t> is_on(places.size(), 0);
+    for (const FaceCurve& found : found_)
+      if (found.to - found.from > longest)
+        for (const auto& [i, share] : explainedBy(found))
+          if (share > 0.9F)
+            is_on[i] = 1;
+    double all = 1e-9;
+    double beside = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      all += places[i].length;
+      beside += is_on[i] ? 0 : places[i].length;
+    }
+    const double stray = std::clamp(beside / all, 0.005, 0.5);
+    face_ = std::log((1 - stray) / stray * costs_.anywhere /
+                     (std::sqrt(2 * M_PI) * sigma)) /
+            costs_.correlation;
+  }
+
   void keepBest()
   {
     std::vector<float> explained(places.size(), 0);
@@ -300,7 +325,7 @@ private:
       double gain = 0;
       for (const auto& [i, share] : of[c])
         gain += std::max(0.F, share - explained[i]) * places[i].length;
-      return costs_.face * gain - costOf(found_[c]);
+      return face_ * gain - costOf(found_[c]);
     };
     for (std::size_t c = 0; c < found_.size(); ++c) {
       of[c] = explainedBy(found_[c]);
@@ -346,8 +371,8 @@ private:
         const Eigen::Vector2d normal = leftOf(face.curve.direction);
         std::vector<double> offsets;
         for (const Eigen::Vector2d& p : of[c])
-          offsets.push_back(normal.dot(p));
-        face.curve.point = middleValue(std::move(offsets)) * normal;
+          offsets.push_back(normal.dot(p - face.curve.point));
+        face.curve.point += middleValue(std::move(offsets)) * normal;
         continue;
       }
       const Eigen::Vector2d way = face.curve.direction;
@@ -376,6 +401,7 @@ private:
   }
 
   FaceCosts costs_;
+  double face_ = 0; ///< a metre that is explained, nats
   RadiusRange radii_;
   std::vector<Eigen::Vector2d> normals_;
   std::vector<FaceCurve> found_;

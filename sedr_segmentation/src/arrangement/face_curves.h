@@ -15,16 +15,19 @@ struct RadiusRange {
   double max = 25;
 };
 
-/** @brief What curves cost, and what they gain by the faces that they explain, nats.
- * Errors of places are correlated over some 10 cm, beyond three sigma an observation
- * costs 4.5; a parameter of a curve costs the logarithm of 1.5 m to 7 mm, a direction
- * besides the main ones 3 more, a circle 7 more (LoopEnergy). */
+/** @brief What curves cost, and what they gain by the faces that they explain, nats: a
+ * place is on a curve, with the noise of the scan, or anywhere, as often as places are
+ * on no long curve. A parameter of a curve costs the logarithm of 1.5 m to 7 mm, a
+ * direction besides the main ones 3 more, a circle 7 more. */
 struct FaceCosts {
-  double face = 40;  ///< a metre that is explained
-  double line = 5.4; ///< of a line along a main direction
+  double anywhere = 1.5;     ///< metres about a place, where another may be
+  double correlation = 0.25; ///< metres, of what places are on
+  double line = 5.4;         ///< of a line along a main direction
   double oblique = 13.7;
   double circle = 23;
-  double reach = 0.03; ///< metres; places farther from a curve are not explained
+  double reach = 0.1; ///< metres; places farther from a curve are not explained, nearer
+                      ///< ones the less the farther they are: of faces so near each
+                      ///< other one is enough, unless they are long
 };
 
 /** @brief The curves of faces, and the directions of most of them. */

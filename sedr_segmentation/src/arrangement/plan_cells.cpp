@@ -13,6 +13,7 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double thinnest = 0.002; // metres, of a cell
+constexpr double shortest = 0.02;  // metres, of a divider's end in a cell
 constexpr double same_end = 1e-7;  // metres
 
 } // namespace
@@ -97,11 +98,11 @@ PlanCells::partCell(std::size_t node, const PlanDivider& divider)
   }
   if (crossings.size() != 2)
     return;
-  // The divider must be inside the cell for more than its end.
+  // The divider must be inside the cell for more than its end, or cross it.
   const double length = (divider.end - divider.start).norm();
-  const double low = std::max(0.0, std::min(crossings[0], crossings[1]));
-  const double high = std::min(length, std::max(crossings[0], crossings[1]));
-  if (high - low < 0.02)
+  const auto [first, last] = std::minmax(crossings[0], crossings[1]);
+  const double inside = std::min(length, last) - std::max(0.0, first);
+  if (inside < std::min(shortest, last - first - same_end))
     return;
   for (Cell& part : parts) { // without edges of no length
     for (std::size_t i = 0; i < part.corners.size();) {

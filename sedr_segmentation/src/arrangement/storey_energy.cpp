@@ -151,7 +151,7 @@ StoreyCosts::addFronts(const StoreyEvidence& evidence,
     const auto i =
         static_cast<std::size_t>((line.along(p) - line.from) / StoreyLine::bin);
     for (const auto& [room, seen] : line.seen) {
-      if (!(seen[i] > 0) || !line.is_own[i])
+      if (!(seen[i] > 0) || !line.is_own[i] || !(line.tall[i] > 0))
         continue;
       const int side = sideOfAir(evidence, room, p, left);
       if (side == 0)
@@ -204,10 +204,12 @@ StoreyCosts::costOf(const StoreyLine& line, const CellBorder& border) const
   for (const auto& [room, seen] : line.seen) {
     double own = energy_.wall * border.length();
     for (const Eigen::Vector2d& p : places) {
-      const double explained =
-          line.seenAt(p) > 0 ? static_cast<double>(seen[static_cast<std::size_t>(
-                                   (line.along(p) - line.from) / StoreyLine::bin)])
-                             : 0;
+      double explained = 0;
+      if (line.seenAt(p) > 0) {
+        const auto i =
+            static_cast<std::size_t>((line.along(p) - line.from) / StoreyLine::bin);
+        explained = line.tall[i] > 0 ? static_cast<double>(seen[i]) : 0;
+      }
       own += length * (explained > 0 ? (1 - explained) * energy_.off : missingAt(p));
     }
     if (own < cost.other - 1e-9)

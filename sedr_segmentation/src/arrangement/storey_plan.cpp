@@ -96,6 +96,7 @@ public:
     std::iota(all.begin(), all.end(), 0);
     expand(all, 4);
     prune();
+    expand(all, 4);
   }
 
   const std::vector<int>& labels() const { return labels_; }

@@ -21,18 +21,14 @@ namespace {
 /** @brief Returns how likely an axis is vertical, nats.
  * @param share of the air that certainly exists, seen along it */
 double
-likelihoodOfAxis(const AirAlongAxis& air, double share)
+likelihoodOfAxis(const AirAlongAxis& air, double share, const Priors& priors)
 {
-  constexpr double usual_height = 2.8; // metres
-  constexpr double scale = 0.3;        // of the logarithm of heights
-  constexpr double most = 2;           // nats: there are halls
-  constexpr double rare = 0.02;        // share
+  constexpr double rare = 0.02; // share
   const auto logOdds = [](double part) {
     return std::log((part + rare) / (1 - part + rare));
   };
   return logOdds(air.low.large) + logOdds(air.high.large) - air.low.levels -
-         air.high.levels + std::log(share) -
-         std::min(most, std::abs(std::log(air.height / usual_height)) / scale);
+         air.high.levels + std::log(share) - costOfHeight(air.height, priors);
 }
 
 /** @brief Returns the log-odds of the high end of the air as ceiling and the low one as
@@ -140,7 +136,7 @@ public:
       const double rarity = (in_feet ? 3 : 1) * (axis == 2 ? 1 : 2);
       const double share = air.area / unit / mostAir() / priors.share_most;
       const double nats =
-          likelihoodOfAxis(air, std::min(1.0, share)) - std::log(rarity);
+          likelihoodOfAxis(air, std::min(1.0, share), priors) - std::log(rarity);
       const double ceiling = evidenceOfCeiling(air);
       for (const int sign : signs)
         best = std::max(best, {axis, sign, in_feet,

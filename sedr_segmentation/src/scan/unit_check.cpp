@@ -57,6 +57,12 @@ struct Usual {
   }
 };
 
+Usual
+usualHeight(const Priors& priors)
+{
+  return {priors.min_home_height, priors.max_home_height};
+}
+
 /** @brief What is known of the unit of a plan. */
 struct UnitEvidence {
   double nats = 0;
@@ -90,6 +96,12 @@ heightsOfScanners(const Floorplan& plan, const std::vector<Eigen::Vector3f>& pla
 
 } // namespace
 
+double
+costOfHeight(double height, const Priors& priors)
+{
+  return usualHeight(priors).costOf(height);
+}
+
 UnitDoubt
 footProblem(const Floorplan& plan,
             const std::vector<RoomLink>& links,
@@ -98,7 +110,7 @@ footProblem(const Floorplan& plan,
 {
   constexpr double doubtful = 2;         // nats
   constexpr double lowest_scanner = 1.2; // metres; one on a table
-  const Usual height{priors.min_home_height, priors.max_home_height};
+  const Usual height = usualHeight(priors);
   const Usual area{4 * priors.min_slab_area, priors.max_home_area, foot * foot, true};
   double whole = 0;
   double sum = 0;

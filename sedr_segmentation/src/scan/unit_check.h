@@ -24,6 +24,11 @@ constexpr const char* if_in_feet =
  * @param storeys number of storeys found */
 std::string inchProblem(const PointView& points, std::size_t storeys);
 
+/** @brief Returns how unlikely a clear height is, nats: of a usual one 0; some are far
+ * above it, but one hits one's head (see footProblem).
+ * @param height metres */
+double costOfHeight(double height, const Priors& priors);
+
 /** @brief Evidence that the unit of a plan is the foot. */
 struct UnitDoubt {
   double nats = 0;    ///< log-likelihood of the foot less that of the metre
