@@ -5,6 +5,7 @@
 #include "../faces/wall_lines.h"
 #include "face_places.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <map>
 #include <queue>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -20,6 +22,7 @@ namespace {
 
 constexpr double max_within = 5; // metres, within a line along a main direction
 constexpr double max_hole = 0.6; // metres, within another curve
+constexpr double long_face = 1;  // metre
 
 /** @brief The places, and curves through them. */
 class FaceSearch : FacePlaces {
@@ -81,7 +84,6 @@ private:
    * median by length, radians. */
   double turnOfLongLines(double axis)
   {
-    constexpr double longest = 1;                 // metre
     constexpr double near = 0.1;                  // metres
     std::vector<std::pair<double, double>> turns; // weight: length
     double half = 0;
@@ -90,7 +92,7 @@ private:
       addLines({std::cos(angle), std::sin(angle)});
       for (std::size_t k = first; k < found_.size(); ++k) {
         const FaceCurve& line = found_[k];
-        if (line.to - line.from < longest)
+        if (line.to - line.from < long_face)
           continue;
         std::vector<Eigen::Vector2d> on;
         for (const FacePlace& place : places)
@@ -159,6 +161,8 @@ private:
   {
     constexpr double seeds = 0.1; // metres apart
     std::set<std::pair<long, long>> taken;
+    for (std::size_t c = 0; c < found_.size(); ++c)
+      remember(c);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const FacePlace& place = places[i];
       if (place.normal.isZero() || !taken
@@ -208,6 +212,7 @@ private:
     if (found.to - found.from < 0.3 || isKnown(found))
       return;
     found_.push_back(found);
+    remember(found_.size() - 1);
   }
 
   /** @brief Returns the places on a curve that hang together with one; sets its ends.
@@ -249,10 +254,24 @@ private:
     return support;
   }
 
+  /** @brief Remembers through which cells a curve goes. */
+  void remember(std::size_t c)
+  {
+    const FaceCurve& found = found_[c];
+    const double end = found.to + step / 2;
+    for (double s = found.from; s < end; s += step) {
+      const Eigen::Vector2d p = found.at(std::min(s, found.to));
+      std::vector<std::size_t>& there = through_[keyOf(cells_.at(p.x(), p.y()))];
+      if (there.empty() || there.back() != c)
+        there.push_back(c);
+    }
+  }
+
   /** @brief Checks whether a curve is nearly one that was found. */
   bool isKnown(const FaceCurve& curve) const
   {
-    return std::any_of(found_.begin(), found_.end(), [&](const FaceCurve& other) {
+    const auto isNearly = [&](std::size_t c) {
+      const FaceCurve& other = found_[c];
       if (other.curve.isCircle() != curve.curve.isCircle())
         return false;
       for (const double t : {0.0, 0.5, 1.0}) {
@@ -263,6 +282,16 @@ private:
           return false;
       }
       return true;
+    };
+    const Eigen::Vector2d middle = curve.at((curve.from + curve.to) / 2);
+    std::set<CellKey> near;
+    for (const double x : {-step, step})
+      for (const double y : {-step, step})
+        near.insert(keyOf(cells_.at(middle.x() + x, middle.y() + y)));
+    return std::any_of(near.begin(), near.end(), [&](CellKey key) {
+      const auto there = through_.find(key);
+      return there != through_.end() &&
+             std::any_of(there->second.begin(), there->second.end(), isNearly);
     });
   }
 
@@ -272,12 +301,11 @@ private:
     const double near = std::max(costs_.reach, 8 * sigma);
     std::vector<std::pair<std::uint32_t, float>> explained;
     const auto steps =
-        static_cast<std::size_t>(std::ceil((found.to - found.from) / FaceCurve::bin)) +
-        1;
+        static_cast<std::size_t>(std::ceil((found.to - found.from) / step)) + 1;
     for (std::size_t k = 0; k < steps; ++k)
       points.forEachIndexWithin(
-          found.at(found.from + static_cast<double>(k) * FaceCurve::bin),
-          std::hypot(near, FaceCurve::bin / 2), [&](std::size_t i) {
+          found.at(std::min(found.to, found.from + static_cast<double>(k) * step)),
+          std::hypot(near, step / 2), [&](std::size_t i) {
             const FacePlace& place = places[i];
             const double d = found.curve.distance(place.at) / near;
             if (d >= 1 ||
@@ -297,10 +325,9 @@ private:
    * in others mostly not structure. */
   void measureFaces()
   {
-    constexpr double longest = 1; // metre
     std::vector<std::uint8_t> is_on(places.size(), 0);
     for (const FaceCurve& found : found_)
-      if (found.to - found.from > longest)
+      if (found.to - found.from > long_face)
         for (const auto& [i, share] : explainedBy(found))
           if (share > 0.9F)
             is_on[i] = 1;
@@ -400,6 +427,10 @@ private:
                                   : costs_.oblique;
   }
 
+  static constexpr double step = 0.1; ///< metres
+
+  CellGrid cells_{2 * step};
+  std::unordered_map<CellKey, std::vector<std::size_t>> through_; ///< curves, by cell
   FaceCosts costs_;
   double face_ = 0; ///< a metre that is explained, nats
   RadiusRange radii_;

@@ -16,16 +16,41 @@ namespace {
 
 constexpr double reach = 0.15; // metres to those that tell its direction
 
+using PlaceCounts = std::map<std::pair<long, long>, double>; ///< by cell
+
+/** @brief Returns how far apart cells with places are, in cells: the median distance of
+ * one to the next. */
+double
+spacingOf(const PlaceCounts& counts)
+{
+  constexpr long farthest = 6;
+  std::vector<double> spacings;
+  for (const auto& [cell, count] : counts)
+    for (long r = 1; r <= farthest; ++r) {
+      bool is_found = false;
+      for (long k = -r; k <= r && !is_found; ++k)
+        is_found = counts.count({cell.first + k, cell.second - r}) > 0 ||
+                   counts.count({cell.first + k, cell.second + r}) > 0 ||
+                   counts.count({cell.first - r, cell.second + k}) > 0 ||
+                   counts.count({cell.first + r, cell.second + k}) > 0;
+      if (is_found) {
+        spacings.push_back(static_cast<double>(r));
+        break;
+      }
+    }
+  return spacings.empty() ? 1 : middleValue(std::move(spacings));
+}
+
 /** @brief Measures half of the width of a face, by its noise. */
 double
-halfWidth(const PlanPoints& points)
+halfWidth(const PlanPoints& points, double around)
 {
   constexpr double least = 0.012;
   constexpr double most = 0.045;
   std::vector<double> scatter;
   for (const Eigen::Vector2d& p : points.all()) {
     PlaceSums sums; // relative: far from the origin, squares lose their digits
-    points.forEachWithin(p, reach, [&](const Eigen::Vector2d& q) { sums.add(q - p); });
+    points.forEachWithin(p, around, [&](const Eigen::Vector2d& q) { sums.add(q - p); });
     const Eigen::Vector2d normal = sums.normal();
     if (sums.n >= 5)
       scatter.push_back(
@@ -67,21 +92,23 @@ localNormal(const std::vector<Eigen::Vector2d>& around, double strip)
 FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
     : points(given, reach)
 {
-  constexpr double beside = 0.06; // metres
-  std::map<std::pair<long, long>, double> counts;
+  PlaceCounts counts;
   const auto cellOf = [](const Eigen::Vector2d& p) {
     return std::make_pair(std::lround(p.x() / FaceCurve::bin),
                           std::lround(p.y() / FaceCurve::bin));
   };
   for (const Eigen::Vector2d& p : points.all())
     ++counts[cellOf(p)];
-  strip = halfWidth(points);
+  scale = spacingOf(counts);
+  const double beside = 0.06 * scale; // metres
+  strip = halfWidth(points, reach * scale);
   std::vector<Eigen::Vector2d> around;
   for (const Eigen::Vector2d& p : points.all()) {
     around.clear();
-    points.forEachWithin(p, reach,
+    points.forEachWithin(p, reach * scale,
                          [&](const Eigen::Vector2d& q) { around.emplace_back(q - p); });
-    FacePlace place{p, localNormal(around, strip), FaceCurve::bin / counts[cellOf(p)]};
+    FacePlace place{p, localNormal(around, strip),
+                    scale * FaceCurve::bin / counts[cellOf(p)]};
     double n = 0;
     double offset = 0;
     for (const Eigen::Vector2d& d : around)
@@ -98,7 +125,7 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
     double n = 0;
     double sum = 0;
     if (!place.normal.isZero())
-      points.forEachIndexWithin(place.at, reach, [&](std::size_t i) {
+      points.forEachIndexWithin(place.at, reach * scale, [&](std::size_t i) {
         const double d = place.normal.dot(places[i].at - place.at);
         if (std::abs(d) < strip) {
           ++n;
@@ -114,8 +141,9 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
 std::vector<std::pair<double, double>>
 FacePlaces::alongDirection(const Eigen::Vector2d& normal) const
 {
-  constexpr double beside = 0.13; // metres
-  constexpr int bins = 2;         // with such places, besides its own
+  constexpr int bins = 2; // with such places, besides its own
+  const double bin = FaceCurve::bin * scale;
+  const double beside = 2.6 * bin;
   const Eigen::Vector2d way = leftOf(normal);
   std::vector<std::pair<double, double>> found;
   for (const FacePlace& place : places) {
@@ -125,8 +153,7 @@ FacePlaces::alongDirection(const Eigen::Vector2d& normal) const
     points.forEachWithin(place.at, beside, [&](const Eigen::Vector2d& q) {
       const Eigen::Vector2d d = q - place.at;
       if (std::abs(normal.dot(d)) < strip)
-        filled |=
-            1U << (3 + static_cast<int>(std::lround(way.dot(d) / FaceCurve::bin)));
+        filled |= 1U << (3 + static_cast<int>(std::lround(way.dot(d) / bin)));
     });
     const auto isFilled = [&](int k) { return (filled >> (3 + k) & 1U) != 0; };
     int full = 0;

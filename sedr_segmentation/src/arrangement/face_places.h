@@ -31,7 +31,8 @@ struct FacePlaces {
   PlanPoints points;             ///< as they were given
   std::vector<FacePlace> places; ///< of each of them
   double strip = 0;              ///< half of the width of a face, metres
-  double sigma = 0;              ///< noise of its mean, metres
+  double scale = 1; ///< distance of places along faces, in bins: at least 1
+  double sigma = 0; ///< noise of its mean, metres
 };
 
 } // namespace pcl::sedr

@@ -126,6 +126,8 @@ elementOf(Iterator first,
   return e;
 }
 
+constexpr double apart = 0.03; // metres, of curves that nearly touch
+
 /** @brief Finds where two curves nearly touch, near a place.
  * @return whether they do */
 bool
@@ -134,7 +136,6 @@ touch(const PlanCurve& a,
       const Eigen::Vector2d& near,
       Eigen::Vector2d& place)
 {
-  constexpr double apart = 0.03; // metres
   const PlanCurve& arc = a.isCircle() ? a : b;
   if (!arc.isCircle())
     return false;
@@ -176,6 +177,10 @@ closeArcs(PlanLoop& loop)
       elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(i--));
     }
   }
+  for (std::size_t i = 0; elements.size() == 2 && i < 2; ++i)
+    if (at(i).isArc() &&
+        carrierOf(at(i)).distance(at(i + 1).pointAt(at(i + 1).length() / 2)) < apart)
+      elements = {at(i)};
   if (elements.size() == 1)
     elements[0].end = elements[0].start =
         carrierOf(elements[0]).project(elements[0].start);

@@ -13,7 +13,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double thinnest = 0.002; // metres, of a cell
-constexpr double shortest = 0.02;  // metres, of a divider's end in a cell
 constexpr double same_end = 1e-7;  // metres
 
 } // namespace
@@ -102,7 +101,7 @@ PlanCells::partCell(std::size_t node, const PlanDivider& divider)
   const double length = (divider.end - divider.start).norm();
   const auto [first, last] = std::minmax(crossings[0], crossings[1]);
   const double inside = std::min(length, last) - std::max(0.0, first);
-  if (inside < std::min(shortest, last - first - same_end))
+  if (inside < std::min(10 * thinnest, last - first - same_end))
     return;
   for (Cell& part : parts) { // without edges of no length
     for (std::size_t i = 0; i < part.corners.size();) {

@@ -23,12 +23,14 @@ public:
       , max_depth_(max_depth)
       , seen_(closed(cells[room].seen, 2))
       , opaque_(seen_.box())
+      , glass_(seen_.box())
       , next_(seen_.box())
       , pillar_(dilated(cells[room].pillar, 2))
       , found_{CellMask(seen_.box()), CellMask(seen_.box())}
   {
     for (const std::size_t r : storey.rooms) {
       addCells(subtract(cells[r].solid, cells[r].glass), opaque_);
+      addCells(cells[r].glass, glass_);
       if (r != room)
         addCells(cells[r].besideRoom(cells[room], cells[r].seen), next_);
     }
@@ -69,7 +71,8 @@ private:
     const double step = size / 2;
     const double farthest = 1.5 * max_depth_ + 3 * size;
     double depth = 0; // of the seen air behind the line
-    while (depth < farthest && is(seen_, p + (depth + step) * out))
+    while (depth < farthest && is(seen_, p + (depth + step) * out) &&
+           !is(glass_, p + depth * out))
       depth += step;
     const Eigen::Vector2d end = p + (depth + step) * out;
     const bool is_before_room = is(next_, end);
@@ -95,6 +98,7 @@ private:
   double max_depth_;
   CellMask seen_;
   CellMask opaque_; ///< near opaque surfaces
+  CellMask glass_;
   CellMask next_;   ///< near the air of other rooms
   CellMask pillar_; ///< near what may be columns
   RecessCells found_;

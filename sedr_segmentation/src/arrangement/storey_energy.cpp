@@ -109,7 +109,8 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        const Eigen::Vector2d& p,
                        const Eigen::Vector2d& left) const
 {
-  constexpr double near[] = {0.12, 0.2}; // metres, clear of the wall's own cells
+  // Metres: in the recess of a pane, and clear of the wall's own cells.
+  constexpr double near[] = {0.06, 0.12, 0.2};
   enum class Air { None, Recess, Niche, Room };
   const auto airAt = [&](double d) {
     const Eigen::Vector2d q = p + d * left;
@@ -121,7 +122,8 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                                                : Air::Room;
   };
   const auto beside = [&](int side) {
-    return std::min(airAt(near[0] * side), airAt(near[1] * side));
+    const Air air = std::min(airAt(near[1] * side), airAt(near[2] * side));
+    return airAt(near[0] * side) == Air::Recess ? std::min(air, Air::Recess) : air;
   };
   const Air to_left = beside(1);
   const Air to_right = beside(-1);

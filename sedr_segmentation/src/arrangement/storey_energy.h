@@ -47,6 +47,7 @@ struct StoreyEvidence {
   const std::vector<RoomCells>& cells;
   const CellGrid& grid;
   double max_wall = 0.6; ///< thickness, metres
+  double near = 0.03;    ///< distance of surfaces from their line, metres
   RadiusRange radii;     ///< of arcs
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
 #include <set>
 #include <tuple>
@@ -15,9 +14,8 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double near_line = 0.03; // metres, of surfaces from their line
-constexpr double max_gap = 5;      // metres, within a line
-constexpr double beyond = 4;       // metres that a line goes on,
+constexpr double max_gap = 5; // metres, within a line
+constexpr double beyond = 4;  // metres that a line goes on,
 constexpr double beyond_arc = 0.2;
 constexpr double ended = 2.5;     // metres that it may do so
 constexpr double aligned = 0.966; // cosine
@@ -74,19 +72,34 @@ clean(std::vector<float>& bins)
     }
 }
 
-/** @brief Checks whether a room has one of some kinds of cells at a place. */
+/** @brief Checks whether a cell of a room has an opaque surface up to the ceiling, or
+ * up to a beam. */
+bool
+isOpaque(const RoomCells& room, Cell cell)
+{
+  return (room.solid.at(cell) && !room.glass.at(cell)) || room.pillar.at(cell);
+}
+
+/** @brief Checks whether a cell of a room has a surface below a window or above it. */
+bool
+isPart(const RoomCells& room, Cell cell)
+{
+  return room.base.at(cell) || room.riser.at(cell) || room.glass.at(cell);
+}
+
+/** @brief Checks whether a room has cells of a kind at a place. */
+template <typename Is>
 bool
 isNear(const std::vector<std::size_t>& rooms,
        const std::vector<RoomCells>& cells,
-       std::initializer_list<CellMask RoomCells::*> kinds,
-       Cell cell)
+       Cell cell,
+       Is is)
 {
   for (const std::size_t r : rooms)
-    for (CellMask RoomCells::*const kind : kinds)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-          if ((cells[r].*kind).at({cell.x + x, cell.y + y}))
-            return true;
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x)
+        if (is(cells[r], {cell.x + x, cell.y + y}))
+          return true;
   return false;
 }
 
@@ -104,7 +117,7 @@ observe(const Storey& storey,
   for (const std::size_t r : storey.rooms) {
     std::vector<float> seen(bins, 0);
     for (const Eigen::Vector2d& p : cells[r].wall_points) {
-      const double d = line.curve.distance(p) / near_line;
+      const double d = line.curve.distance(p) / line.near;
       const double s = d < 1 ? line.along(p) : line.to + 1;
       if (s < line.from || s > line.to)
         continue;
@@ -131,8 +144,7 @@ observe(const Storey& storey,
   };
   line.tall = line.any;
   for (std::size_t i = 0; i < bins; ++i)
-    if (line.tall[i] > 0 &&
-        !isNear(storey.rooms, cells, {&RoomCells::solid}, cellOf(i)))
+    if (line.tall[i] > 0 && !isNear(storey.rooms, cells, cellOf(i), isOpaque))
       line.tall[i] = 0;
   clean(line.tall);
   const auto n = static_cast<std::ptrdiff_t>(bins);
@@ -153,12 +165,11 @@ observe(const Storey& storey,
         static_cast<double>(std::min(since[i], until[i])) > ended / StoreyLine::bin)
       continue;
     const Cell cell = cellOf(i);
-    line.between[i] =
-        isNear(storey.rooms, cells, {&RoomCells::base, &RoomCells::riser}, cell) &&
-                !isNear(storey.rooms, cells, {&RoomCells::solid}, cell)
-            ? StoreyLine::Between::Partly
-        : in_gap ? StoreyLine::Between::Gap
-                 : StoreyLine::Between::Beyond;
+    line.between[i] = isNear(storey.rooms, cells, cell, isPart) &&
+                              !isNear(storey.rooms, cells, cell, isOpaque)
+                          ? StoreyLine::Between::Partly
+                      : in_gap ? StoreyLine::Between::Gap
+                               : StoreyLine::Between::Beyond;
   }
 }
 
@@ -272,7 +283,7 @@ double
 StoreyLine::seenAt(const Eigen::Vector2d& p) const
 {
   const double s = along(p);
-  return s < from || s >= to || curve.distance(p) > near_line
+  return s < from || s >= to || curve.distance(p) > near
              ? -1
              : static_cast<double>(
                    any[static_cast<std::size_t>((s - from) / StoreyLine::bin)]);
@@ -289,7 +300,8 @@ std::vector<StoreyLine>
 storeyLines(const Storey& storey,
             const std::vector<RoomCells>& cells,
             const CellGrid& grid,
-            const RadiusRange& radii)
+            const RadiusRange& radii,
+            double near)
 {
   std::vector<Eigen::Vector2d> places;
   for (const std::size_t r : storey.rooms)
@@ -312,6 +324,7 @@ storeyLines(const Storey& storey,
             : beyond;
     line.from -= on;
     line.to += on;
+    line.near = near;
     observe(storey, cells, grid, line);
   }
   appendEdges(lines);

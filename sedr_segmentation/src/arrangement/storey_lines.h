@@ -24,6 +24,7 @@ struct StoreyLine : FaceCurve {
 
   bool is_end = false; ///< no surface: air that was seen ends there, or a face does
   double parameters = 1;
+  double near = 0.03; ///< so far surfaces are from it
   std::map<std::uint32_t, std::vector<float>>
       seen;                         ///< share explained, by room and bin
   std::vector<float> any;           ///< the most of them
@@ -40,10 +41,12 @@ struct StoreyLine : FaceCurve {
 };
 
 /** @brief Finds the lines of a storey: those of its faces, where seen air ends without
- * one, and across the ends of faces. Those with most surface come first. */
+ * one, and across the ends of faces. Those with most surface come first.
+ * @param near distance of surfaces from their line, metres */
 std::vector<StoreyLine> storeyLines(const Storey& storey,
                                     const std::vector<RoomCells>& cells,
                                     const CellGrid& grid,
-                                    const RadiusRange& radii);
+                                    const RadiusRange& radii,
+                                    double near);
 
 } // namespace pcl::sedr

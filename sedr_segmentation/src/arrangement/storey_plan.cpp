@@ -86,22 +86,37 @@ public:
       , borders_(borders)
       , price_(price)
       , may_use_(lines.size(), 1)
+      , uses_(lines.size(), 0)
+      , of_line_(lines.size())
+      , of_cell_(costs.cells())
+      , local_(costs.cells(), none)
       , labels_(costs.cells(), 0)
   {
+    for (std::size_t b = 0; b < borders_.size(); ++b) {
+      of_line_[borders_[b].line].push_back(b);
+      of_cell_[borders_[b].left].push_back(b);
+      of_cell_[borders_[b].right].push_back(b);
+    }
     for (std::size_t c = 0; c < labels_.size(); ++c)
       for (int l = 1; l < static_cast<int>(costs.labels()); ++l)
         if (costs.ofCell(c, l) < costs.ofCell(c, labels_[c]))
           labels_[c] = l;
-    std::vector<int> all(costs.labels());
-    std::iota(all.begin(), all.end(), 0);
-    expand(all, 4);
+    for (std::size_t b = 0; b < borders_.size(); ++b)
+      uses_[borders_[b].line] += isWall(b) ? 1 : 0;
+    std::vector<int> every(costs.labels());
+    std::iota(every.begin(), every.end(), 0);
+    std::vector<std::size_t> all(labels_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    expand(every, all, 4);
     prune();
-    expand(all, 4);
+    expand(every, all, 4);
   }
 
   const std::vector<int>& labels() const { return labels_; }
 
 private:
+  using Changes = std::vector<std::pair<std::size_t, int>>; ///< labels of cells
+
   double borderCost(std::size_t b, int left, int right) const
   {
     return left == right
@@ -114,54 +129,101 @@ private:
     return labels_[borders_[b].left] != labels_[borders_[b].right];
   }
 
-  double total(const std::vector<int>& labels) const
+  /** @brief Sets labels. Returns by how much the energy rises. */
+  double set(const Changes& changes)
   {
-    double sum = 0;
-    for (std::size_t c = 0; c < labels.size(); ++c)
-      sum += costs_.ofCell(c, labels[c]);
-    std::vector<std::uint8_t> is_used(lines_.size(), 0);
-    for (std::size_t b = 0; b < borders_.size(); ++b) {
-      const int left = labels[borders_[b].left];
-      const int right = labels[borders_[b].right];
-      sum += borderCost(b, left, right);
-      if (left != right)
-        is_used[borders_[b].line] = 1;
+    double rise = 0;
+    for (const auto& [cell, label] : changes) {
+      const auto add = [&, c = cell](int sign) {
+        rise += sign * costs_.ofCell(c, labels_[c]);
+        for (const std::size_t b : of_cell_[c]) {
+          const CellBorder& border = borders_[b];
+          rise += sign * borderCost(b, labels_[border.left], labels_[border.right]);
+          if (!isWall(b))
+            continue;
+          std::size_t& uses = uses_[border.line];
+          const bool was_used = uses > 0;
+          uses += static_cast<std::size_t>(sign);
+          if (was_used != (uses > 0))
+            rise += sign * price_ * lines_[border.line].parameters;
+        }
+      };
+      add(-1);
+      labels_[cell] = label;
+      add(1);
     }
-    for (std::size_t k = 0; k < lines_.size(); ++k)
-      sum += is_used[k] ? price_ * lines_[k].parameters : 0;
-    return sum;
+    return rise;
   }
 
-  /** @brief Lets each of some labels take what lowers the energy. */
-  void expand(const std::vector<int>& alphas, int sweeps)
+  /** @brief Lets each of some labels take of some cells what lowers the energy. Returns
+   * by how much it rises, and what the labels were before. */
+  std::pair<double, Changes> expand(const std::vector<int>& alphas,
+                                    const std::vector<std::size_t>& cells,
+                                    int sweeps)
   {
-    cost_ = total(labels_);
-    for (double before = cost_ + 1; sweeps-- > 0 && before - cost_ > 1e-6;) {
-      before = cost_;
+    double rise = 0;
+    Changes before;
+    for (bool goes_on = true; goes_on && sweeps-- > 0;) {
+      goes_on = false;
       for (const int alpha : alphas) {
-        BinaryEnergy cut(labels_.size());
-        for (std::size_t c = 0; c < labels_.size(); ++c)
-          cut.addTerm(c, costs_.ofCell(c, labels_[c]), costs_.ofCell(c, alpha));
-        for (std::size_t b = 0; b < borders_.size(); ++b) {
-          const int left = labels_[borders_[b].left];
-          const int right = labels_[borders_[b].right];
-          const double no_yes = borderCost(b, left, alpha);
-          const double yes_no = borderCost(b, alpha, right);
-          // A thin part of `alpha` between two others may cost less than their border.
-          const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
-          if (no_yes + yes_no > 0)
-            cut.addPair(borders_[b].left, borders_[b].right, no_no, no_yes, yes_no, 0);
+        Changes changes = taken(alpha, cells);
+        Changes old;
+        for (const auto& [cell, label] : changes)
+          old.emplace_back(cell, labels_[cell]);
+        const double change = set(changes);
+        if (change < -1e-6) {
+          rise += change;
+          before.insert(before.end(), old.begin(), old.end());
+          goes_on = true;
         }
-        std::vector<int> labels = labels_;
-        const std::vector<std::uint8_t> takes = cut.minimise();
-        for (std::size_t c = 0; c < labels.size(); ++c)
-          labels[c] = takes[c] ? alpha : labels[c];
-        if (const double cost = total(labels); cost < cost_ - 1e-6) {
-          cost_ = cost;
-          labels_ = std::move(labels);
-        }
+        else
+          set(old);
       }
     }
+    std::reverse(before.begin(), before.end());
+    return {rise, std::move(before)};
+  }
+
+  /** @brief Returns what a label takes of some cells; the others keep theirs. */
+  Changes taken(int alpha, const std::vector<std::size_t>& cells)
+  {
+    BinaryEnergy cut(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      local_[cells[i]] = i;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t c = cells[i];
+      double no = costs_.ofCell(c, labels_[c]);
+      double yes = costs_.ofCell(c, alpha);
+      for (const std::size_t b : of_cell_[c]) {
+        const CellBorder& border = borders_[b];
+        const int left = labels_[border.left];
+        const int right = labels_[border.right];
+        const std::size_t other = border.left == c ? border.right : border.left;
+        if (local_[other] == none) {
+          no += borderCost(b, left, right);
+          yes += border.left == c ? borderCost(b, alpha, right)
+                                  : borderCost(b, left, alpha);
+          continue;
+        }
+        if (border.left != c)
+          continue;
+        const double no_yes = borderCost(b, left, alpha);
+        const double yes_no = borderCost(b, alpha, right);
+        // A thin part of `alpha` between two others may cost less than their border.
+        const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
+        if (no_yes + yes_no > 0)
+          cut.addPair(i, local_[other], no_no, no_yes, yes_no, 0);
+      }
+      cut.addTerm(i, no, yes);
+    }
+    const std::vector<std::uint8_t> takes = cut.minimise();
+    Changes changes;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      local_[cells[i]] = none;
+      if (takes[i] && labels_[cells[i]] != alpha)
+        changes.emplace_back(cells[i], alpha);
+    }
+    return changes;
   }
 
   /** @brief Leaves lines out, those first of which least is used, while that lowers the
@@ -178,38 +240,74 @@ private:
       for (const auto& [line, length] : used)
         order.emplace_back(length, line);
       std::sort(order.begin(), order.end());
-      const double before = cost_;
+      bool is_better = false;
       for (const auto& [length, line] : order)
-        tryWithout(line);
-      if (before - cost_ < 1e-6)
+        is_better = tryWithout(line) || is_better;
+      if (!is_better)
         break;
     }
   }
 
-  void tryWithout(std::size_t line)
+  /** @brief Returns the cells within reach of the walls on a line. */
+  std::vector<std::size_t> cellsNear(std::size_t line) const
+  {
+    std::vector<std::size_t> cells;
+    std::set<std::size_t> found;
+    const auto add = [&](std::size_t c) {
+      if (found.insert(c).second)
+        cells.push_back(c);
+    };
+    for (const std::size_t b : of_line_[line])
+      if (isWall(b))
+        for (const std::size_t c : {borders_[b].left, borders_[b].right})
+          add(c);
+    std::size_t first = 0;
+    for (int step = 0; step < steps; ++step) {
+      const std::size_t end = cells.size();
+      for (; first < end; ++first)
+        for (const std::size_t b : of_cell_[cells[first]]) {
+          add(borders_[b].left);
+          add(borders_[b].right);
+        }
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
+
+  bool tryWithout(std::size_t line)
   {
     std::set<int> beside{0};
-    for (std::size_t b = 0; b < borders_.size(); ++b)
-      if (borders_[b].line == line && isWall(b))
-        beside.insert({labels_[borders_[b].left], labels_[borders_[b].right]});
-    const std::vector<int> labels = labels_;
-    const double before = cost_;
+    double rise = 0;
+    for (const std::size_t b : of_line_[line])
+      if (isWall(b)) {
+        const int left = labels_[borders_[b].left];
+        const int right = labels_[borders_[b].right];
+        beside.insert({left, right});
+        rise += costs_.ofBorder(b, left, right, false) - borderCost(b, left, right);
+      }
+    const std::vector<std::size_t> cells = cellsNear(line);
     may_use_[line] = 0;
-    expand({beside.begin(), beside.end()}, 2);
-    if (cost_ < before - 1e-6)
-      return;
+    const auto [change, before] = expand({beside.begin(), beside.end()}, cells, 2);
+    if (rise + change < -1e-6)
+      return true;
+    set(before);
     may_use_[line] = 1;
-    labels_ = labels;
-    cost_ = before;
+    return false;
   }
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr int steps = 12; ///< cells about a line that may change without it
 
   const StoreyCosts& costs_;
   const std::vector<StoreyLine>& lines_;
   const std::vector<CellBorder>& borders_;
   double price_;
-  std::vector<std::uint8_t> may_use_; ///< of each line
+  std::vector<std::uint8_t> may_use_;             ///< of each line
+  std::vector<std::size_t> uses_;                 ///< borders that are walls on it
+  std::vector<std::vector<std::size_t>> of_line_; ///< its borders
+  std::vector<std::vector<std::size_t>> of_cell_;
+  std::vector<std::size_t> local_; ///< numbers of the cells of a cut
   std::vector<int> labels_;
-  double cost_ = 0;
 };
 
 } // namespace
@@ -221,8 +319,8 @@ labelStorey(const StoreyEvidence& evidence,
 {
   if (evidence.storey.rooms.empty())
     return;
-  const std::vector<StoreyLine> lines =
-      storeyLines(evidence.storey, evidence.cells, evidence.grid, evidence.radii);
+  const std::vector<StoreyLine> lines = storeyLines(
+      evidence.storey, evidence.cells, evidence.grid, evidence.radii, evidence.near);
   Eigen::AlignedBox2d box;
   for (const std::size_t r : evidence.storey.rooms) {
     box.extend(evidence.grid.centre(evidence.cells[r].seen.box().low));

@@ -288,6 +288,7 @@ fitPlanByEnergy(const PointView& points,
                    cells,
                    grid,
                    priors.max_wall,
+                   0.6 * parameters.tolerance,
                    {parameters.minimum_radius, parameters.maximum_radius}},
                   StoreyEnergy(), rooms);
     for (const std::size_t r : storeys[s].rooms)

@@ -23,12 +23,18 @@ namespace {
 double
 likelihoodOfAxis(const AirAlongAxis& air, double share, const Priors& priors)
 {
-  constexpr double rare = 0.02; // share
+  constexpr double usual_height = 2.8; // metres
+  constexpr double scale = 0.3;        // of the logarithm of heights
+  constexpr double most = 2;           // nats: there are halls
+  constexpr double rare = 0.02;        // share
   const auto logOdds = [](double part) {
     return std::log((part + rare) / (1 - part + rare));
   };
   return logOdds(air.low.large) + logOdds(air.high.large) - air.low.levels -
-         air.high.levels + std::log(share) - costOfHeight(air.height, priors);
+         air.high.levels + std::log(share) -
+         (air.height > usual_height
+              ? std::min(most, std::log(air.height / usual_height) / scale)
+              : costOfHeight(air.height, priors));
 }
 
 /** @brief Returns the log-odds of the high end of the air as ceiling and the low one as

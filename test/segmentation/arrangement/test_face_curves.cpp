@@ -75,13 +75,13 @@ TEST(FaceCurves, ArcsTangentToWallsAreNoLines)
     }
 }
 
-TEST(FaceCurves, ColumnsAndFacesOfTenCentimetresAreFound)
+TEST(FaceCurves, ColumnsAndFacesOfThirtyCentimetresAreFound)
 {
   expectCurves(
       {polygon(
-           {{0, 0}, {2, 0}, {2, 0.15}, {2.4, 0.15}, {2.4, 0}, {5, 0}, {5, 3}, {0, 3}}),
-       circle({1, 1.5}, 0.15), circle({3.2, 1.6}, 0.4),
-       placed(rectangle(-0.2, -0.2, 0.2, 0.2), 30, {4.2, 1.4})},
+           {{0, 0}, {2, 0}, {2, 0.3}, {2.4, 0.3}, {2.4, 0}, {5, 0}, {5, 3}, {0, 3}}),
+       circle({1, 1.5}, 0.25), circle({3.2, 1.6}, 0.4),
+       placed(rectangle(-0.3, -0.3, 0.3, 0.3), 30, {4.2, 1.4})},
       0.002, 0.004);
 }
 
