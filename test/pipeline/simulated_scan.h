@@ -17,6 +17,16 @@
 
 namespace pcl::sedr::sim {
 
+/** @brief Returns scan options with the given noise and seed. */
+inline ScanOptions
+noiseAndSeed(double noise, std::uint64_t seed)
+{
+  ScanOptions options;
+  options.noise = noise;
+  options.seed = seed;
+  return options;
+}
+
 /** @brief Returns a scan of a scene. */
 inline pcl::PointCloud<pcl::PointXYZ>::ConstPtr
 cloudOf(const Scene& scene, const ScanOptions& options = {})

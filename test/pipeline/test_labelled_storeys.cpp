@@ -54,6 +54,18 @@ TEST_P(LabelledStoreys, haveTheRoomsAndWallsThatWereScanned)
   EXPECT_LE(figures.truth_to_mesh->mean, GetParam().worst_mean);
 }
 
+TEST(LabelledStorey, hasItsWallsBeforeWindowsAndTheirReveals)
+{
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
+  chain.setInputCloud(
+      sim::cloudOf(sim::sceneNamed("big_windows"), sim::noiseAndSeed(0.01, 3)));
+  chain.getStages().floorplan_fitting.setLabelStoreys(true);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
+  EXPECT_EQ(chain.getFloorplan()->rooms[0].boundary.elements.size(), 4U);
+  EXPECT_NEAR(chain.getFloorplan()->rooms[0].area(), 42, 0.1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          LabelledStoreys,
                          testing::Values(LabelledScene{"syn_flat", 4, 19, 0.001},

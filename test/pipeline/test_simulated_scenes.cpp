@@ -113,16 +113,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"syn_flat", 4, 19, 0, 0, 98.85, 0.001}),
     [](const auto& scene) { return scene.param.scene; });
 
-/** @brief Returns scan options with the given noise and seed. */
-sim::ScanOptions
-noiseAndSeed(double noise, std::uint64_t seed)
-{
-  sim::ScanOptions options;
-  options.noise = noise;
-  options.seed = seed;
-  return options;
-}
-
 TEST(Chain, leaves_a_wall_of_windows_where_it_is)
 {
   const auto wallsOf = [](const std::string& scene, const sim::ScanOptions& options) {
@@ -134,8 +124,8 @@ TEST(Chain, leaves_a_wall_of_windows_where_it_is)
       walls += room.boundary.elements.size();
     return walls;
   };
-  EXPECT_EQ(wallsOf("big_windows", noiseAndSeed(0.01, 3)), 4U);
-  EXPECT_EQ(wallsOf("l_room", noiseAndSeed(0.005, 1)), 6U);
+  EXPECT_EQ(wallsOf("big_windows", sim::noiseAndSeed(0.01, 3)), 4U);
+  EXPECT_EQ(wallsOf("l_room", sim::noiseAndSeed(0.005, 1)), 6U);
 }
 
 /** @brief Models two rooms side by side of which the eastern one has a wall of windows.
@@ -161,7 +151,7 @@ areasBesideWindows(const std::string& window)
       "rays": 250000, "noise": 0.01, "jitter": 0.5}]})",
                                            "windows");
   Reconstruction chain;
-  chain.setInputCloud(cloudOf(scene, noiseAndSeed(0.01, 1)));
+  chain.setInputCloud(cloudOf(scene, sim::noiseAndSeed(0.01, 1)));
   EXPECT_TRUE(chain.findStructure()) << chain.getErrorMessage();
   std::vector<double> areas;
   for (const auto& room : chain.getFloorplan()->rooms)
@@ -188,7 +178,7 @@ TEST(Chain, leaves_a_wall_of_windows_where_its_lintel_is)
 TEST(Chain, finds_all_corners_of_soffit_and_recess)
 {
   Reconstruction chain;
-  chain.setInputCloud(cloudOf("bls_room", noiseAndSeed(0.01, 1)));
+  chain.setInputCloud(cloudOf("bls_room", sim::noiseAndSeed(0.01, 1)));
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
   ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
   const auto& details = chain.getFloorplan()->rooms[0].details;

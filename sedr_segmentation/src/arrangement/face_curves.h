@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "face_lines.h"
+#include "face_proposals.h"
 
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief Radii of circles that walls may have, metres. */
-struct RadiusRange {
-  double min = 0.15;
-  double max = 25;
-};
 
 /** @brief What curves cost, and what they gain by the faces that they explain, nats: a
  * place is on a curve, with the noise of the scan, or anywhere, as often as places are
@@ -28,12 +22,6 @@ struct FaceCosts {
   double reach = 0.1; ///< metres; places farther from a curve are not explained, nearer
                       ///< ones the less the farther they are: of faces so near each
                       ///< other one is enough, unless they are long
-};
-
-/** @brief The curves of faces, and the directions of most of them. */
-struct FaceCurves {
-  std::vector<FaceCurve> curves;
-  std::vector<Eigen::Vector2d> normals; ///< main directions, two for each angle
 };
 
 /** @brief Finds lines and circles that explain places on the faces of walls: peaks of

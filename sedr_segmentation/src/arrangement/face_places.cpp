@@ -16,29 +16,24 @@ namespace {
 
 constexpr double reach = 0.15; // metres to those that tell its direction
 
-using PlaceCounts = std::map<std::pair<long, long>, double>; ///< by cell
-
-/** @brief Returns how far apart cells with places are, in cells: the median distance of
- * one to the next. */
+/** @brief Returns how far apart places along a face are, metres: the median distance
+ * of some to the next one that is not beside them. */
 double
-spacingOf(const PlaceCounts& counts)
+spacingOf(const PlanPoints& points)
 {
-  constexpr long farthest = 6;
+  constexpr double farthest = 0.3;
+  constexpr std::size_t samples = 1000;
   std::vector<double> spacings;
-  for (const auto& [cell, count] : counts)
-    for (long r = 1; r <= farthest; ++r) {
-      bool is_found = false;
-      for (long k = -r; k <= r && !is_found; ++k)
-        is_found = counts.count({cell.first + k, cell.second - r}) > 0 ||
-                   counts.count({cell.first + k, cell.second + r}) > 0 ||
-                   counts.count({cell.first - r, cell.second + k}) > 0 ||
-                   counts.count({cell.first + r, cell.second + k}) > 0;
-      if (is_found) {
-        spacings.push_back(static_cast<double>(r));
-        break;
-      }
-    }
-  return spacings.empty() ? 1 : middleValue(std::move(spacings));
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / samples) {
+    const Eigen::Vector2d& p = points.all()[i];
+    double next = farthest;
+    points.forEachWithin(p, farthest, [&](const Eigen::Vector2d& q) {
+      if (const double d = (q - p).norm(); d > 0.8 * FaceCurve::bin)
+        next = std::min(next, d);
+    });
+    spacings.push_back(next);
+  }
+  return spacings.empty() ? FaceCurve::bin : middleValue(std::move(spacings));
 }
 
 /** @brief Measures half of the width of a face, by its noise. */
@@ -92,14 +87,14 @@ localNormal(const std::vector<Eigen::Vector2d>& around, double strip)
 FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
     : points(given, reach)
 {
-  PlaceCounts counts;
+  std::map<std::pair<long, long>, double> counts;
   const auto cellOf = [](const Eigen::Vector2d& p) {
     return std::make_pair(std::lround(p.x() / FaceCurve::bin),
                           std::lround(p.y() / FaceCurve::bin));
   };
   for (const Eigen::Vector2d& p : points.all())
     ++counts[cellOf(p)];
-  scale = spacingOf(counts);
+  scale = std::max(1.0, spacingOf(points) / FaceCurve::bin);
   const double beside = 0.06 * scale; // metres
   strip = halfWidth(points, reach * scale);
   std::vector<Eigen::Vector2d> around;

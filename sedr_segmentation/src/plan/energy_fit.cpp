@@ -288,7 +288,7 @@ fitPlanByEnergy(const PointView& points,
                    cells,
                    grid,
                    priors.max_wall,
-                   0.6 * parameters.tolerance,
+                   0.6 * parameters.tolerance, // the rest is the wall's own
                    {parameters.minimum_radius, parameters.maximum_radius}},
                   StoreyEnergy(), rooms);
     for (const std::size_t r : storeys[s].rooms)

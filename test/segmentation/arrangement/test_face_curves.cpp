@@ -16,17 +16,16 @@ using pcl::sedr::FaceCurve;
 using pcl::sedr::FaceCurves;
 using pcl::sedr::PlanLoop;
 
-/** Returns places on a loop, 5 cm apart and eight at each, as a scan of a wall gives.
- */
+/** Returns places on a loop, eight at each, as a scan of a wall gives. */
 std::vector<Eigen::Vector2d>
-placesOn(const std::vector<PlanLoop>& loops, double noise)
+placesOn(const std::vector<PlanLoop>& loops, double noise, double spacing = 0.05)
 {
   std::mt19937 random(7);
   std::normal_distribution<double> off(0, noise);
   std::vector<Eigen::Vector2d> places;
   for (const PlanLoop& loop : loops)
     for (const auto& e : loop.elements)
-      for (double s = 0.025; s < e.length(); s += 0.05)
+      for (double s = spacing / 2; s < e.length(); s += spacing)
         for (int k = 0; k < 8; ++k)
           places.emplace_back(e.pointAt(s) + Eigen::Vector2d(off(random), off(random)));
   return places;
@@ -89,6 +88,60 @@ TEST(FaceCurves, ChamfersAndBentWallsAreLines)
 {
   expectCurves({polygon({{0.5, 0}, {5, 0}, {5, 4}, {0, 4}, {0, 0.5}})}, 0.003, 0.004);
   expectCurves({polygon({{0, 0}, {6, 0}, {6, 3}, {3, 3.315}, {0, 3}})}, 0.003, 0.004);
+}
+
+TEST(FaceCurves, OfSparseScansAreTheSame)
+{
+  const PlanLoop room = polygon({{0, 0}, {6, 0}, {6, 3}, {3, 3}, {3, 5}, {0, 5}});
+  for (const double spacing : {0.05, 0.1, 0.16})
+    for (const double degrees : {0, 33}) {
+      const FaceCurves found = pcl::sedr::faceCurves(
+          placesOn({placed(room, degrees, {1.013, -7.021})}, 0.003, spacing));
+      EXPECT_EQ(found.curves.size(), 6U) << spacing << " m, turned by " << degrees;
+      double length = 0;
+      for (const FaceCurve& face : found.curves)
+        length += face.to - face.from;
+      EXPECT_NEAR(length, room.length(), 6 * 1.5 * spacing) << spacing;
+    }
+}
+
+TEST(FaceCurves, WhatHangsBeforeAFaceIsNoneButWhatStandsFartherOffIs)
+{
+  // A curtain or a step of 70 cm: 4 cm before a wall it is of the wall.
+  const PlanLoop room = rectangle(0, 0, 5, 4);
+  for (const auto& [off, curves] : {std::pair(0.04, 4U), std::pair(0.5, 5U)}) {
+    std::vector<Eigen::Vector2d> places = placesOn({room}, 0.003);
+    for (const Eigen::Vector2d& p :
+         placesOn({{{segment({2, off}, {2.7, off})}}}, 0.003))
+      places.push_back(p);
+    EXPECT_EQ(pcl::sedr::faceCurves(places).curves.size(), curves) << off;
+  }
+}
+
+TEST(FaceCurves, ATurnedFaceIsKeptInACleanRoomAndNotInAClutteredOne)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> x(0.3, 5.7);
+  std::uniform_real_distribution<double> y(0.3, 2.5);
+  const auto curvesWith = [&](int things) {
+    std::vector<Eigen::Vector2d> places =
+        placesOn({rectangle(0, 0, 6, 5), {{segment({2, 3.5}, {2.35, 3.75})}}}, 0.003);
+    for (int k = 0; k < things; ++k)
+      places.emplace_back(x(random), y(random));
+    return pcl::sedr::faceCurves(places).curves.size();
+  };
+  EXPECT_EQ(curvesWith(0), 5U);
+  EXPECT_EQ(curvesWith(400), 4U);
+}
+
+TEST(FaceCurves, LinesTurnedIntoAMainDirectionKeepTheirEnds)
+{
+  // The longest wall is turned by half a degree.
+  const PlanLoop room = polygon({{0, 0}, {9, 0}, {9, 4}, {0, 4.078}});
+  const FaceCurves found = pcl::sedr::faceCurves(placesOn({room}, 0.004));
+  for (const FaceCurve& face : found.curves)
+    for (const double s : {face.from, face.to})
+      EXPECT_LT(room.distance(face.at(s)), 0.06) << face.from << " to " << face.to;
 }
 
 TEST(FaceCurves, AreNoneWithoutPlaces)

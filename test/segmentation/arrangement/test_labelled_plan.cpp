@@ -115,6 +115,22 @@ TEST(LabelledPlan, AWallGoesStraightOnBehindShelvesThatStandOffIt)
   expectOutline(points, evidence, truth, 0.004);
 }
 
+TEST(LabelledPlan, ABeamPartsNoRoom)
+{
+  for (const double width : {0.02, 0.12, 0.3}) {
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 9.01, 5.01), 2.8);
+    truth.details = {detailOf(rectangle(5, 0.01, 5 + width, 5.01), 2.45)};
+    RoomPoints points(0.05, 0.003);
+    const RoomParts parts = points.room(truth);
+    PlanEvidence evidence = evidenceOf(points, parts);
+    evidence.walls = joined(evidence.walls, evidence.details); // as wall growing may
+    const Floorplan plan = labelledPlan(points, evidence);
+    ASSERT_EQ(plan.rooms.size(), 1U);
+    EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4U) << width;
+    EXPECT_NEAR(plan.rooms[0].area(), 45, 0.1) << width;
+  }
+}
+
 TEST(LabelledPlan, EndsWhereTheAirEndsThatWasSeen)
 {
   // Nobody saw the wall at x = 5, nor anything beyond it.

@@ -63,6 +63,20 @@ TEST(PlanCells, ADividerEndsAtTheNextOne)
   EXPECT_NEAR(of_second, 6, 1e-9);
 }
 
+TEST(PlanCells, ADividerPartsAlsoWhatIsThinnerThanItsEnd)
+{
+  // Two lines 1.3 cm apart, and one across both; one that only looks in by a
+  // centimetre.
+  const PlanCells cells(square, {{{4, 0}, {4, 10}, 0},
+                                 {{4.013, 0}, {4.013, 10}, 1},
+                                 {{-1, 5}, {11, 5}, 2},
+                                 {{2, 8}, {4.01, 8}, 3}});
+  // Three by two, and the upper left one parted by the last line.
+  EXPECT_EQ(cells.polygons().size(), 7U);
+  for (const PlanCells::Polygon& polygon : cells.polygons())
+    EXPECT_LT(areaOf(polygon), 31);
+}
+
 TEST(PlanCells, KeepTheAreaAndTheLengthsUnderManyDividers)
 {
   std::mt19937 random(5);

@@ -174,6 +174,20 @@ TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
   EXPECT_EQ(doubtOfUp(PointView(), {}, {}).reason, "");
 }
 
+TEST(ScanUp, AHallIsInMetresThoughSomeOfItIsAsEvenAsALowRoomInFeet)
+{
+  // Most of its ceiling is in steps below 4 m, which are no room in feet: 1.2 m.
+  RoomPoints hall(0.05);
+  const PlanLoop floor = rectangle(0, 0, 12, 8);
+  hall.slab(floor, 0);
+  for (int k = 0; k < 8; ++k)
+    hall.slab(rectangle(k, 0, k + 1, 8), 2.8 + 0.14 * k);
+  hall.slab(rectangle(8, 0, 12, 8), 4.5);
+  for (const auto& wall : floor.elements)
+    hall.wall(wall, 0, 2.8);
+  EXPECT_LT(doubtOf(hall).feet_nats, UpDoubt::certain);
+}
+
 TEST(ScanUp, IsToldByWhereScannersStood)
 {
   RoomPoints room(0.05); // as wide as high, and deep: y or x may be up

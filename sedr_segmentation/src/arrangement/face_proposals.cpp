@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "face_proposals.h"
+
+#include "../curves/fitted_curve.h"
+#include "../faces/wall_lines.h"
+#include "sedr_filters/src/grids/cell_mask.h"
+#include <pcl/sedr_filters/priors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double max_within = 5; // metres, within a line along a main direction
+constexpr double max_hole = 0.6; // metres, within another curve
+constexpr double step = 0.1;     // metres, along curves that are remembered
+
+/** @brief The proposals, as they are found. */
+class FaceProposal {
+public:
+  FaceProposal(const FacePlaces& places, const RadiusRange& radii)
+      : places_(places)
+      , radii_(radii)
+  {
+    findMainDirections();
+    for (const Eigen::Vector2d& normal : normals_)
+      addLines(normal);
+    addChains();
+  }
+
+  FaceCurves found() && { return {std::move(found_), std::move(normals_)}; }
+
+private:
+  void findMainDirections()
+  {
+    const double step = radians(0.1);
+    std::map<long, double> turns; // of normals, in steps
+    for (const FacePlace& place : places_.places)
+      if (!place.normal.isZero())
+        turns[std::lround(
+            std::remainder(std::atan2(place.normal.y(), place.normal.x()), M_PI / 2) /
+            step)] += place.length;
+    std::vector<double> angles;
+    std::vector<double> weights;
+    for (const auto& [turn, weight] : turns) {
+      angles.push_back(static_cast<double>(turn) * step);
+      weights.push_back(weight);
+    }
+    std::vector<double> axes;
+    for (const double axis : mainAngles(angles, weights, 3, 0.2)) {
+      constexpr double same = 0.02; // radians
+      const double refined = axis + turnOfLongLines(axis);
+      if (std::any_of(axes.begin(), axes.end(), [&](double other) {
+            return std::abs(std::remainder(refined - other, M_PI / 2)) < same;
+          }))
+        continue;
+      axes.push_back(refined);
+      normals_.emplace_back(std::cos(refined), std::sin(refined));
+      normals_.push_back(leftOf(normals_.back()));
+    }
+  }
+
+  /** @brief Returns how far the long lines about a direction are turned from it: the
+   * median by length, radians. */
+  double turnOfLongLines(double axis)
+  {
+    constexpr double near = 0.1;                  // metres
+    std::vector<std::pair<double, double>> turns; // weight: length
+    double half = 0;
+    for (const double angle : {axis, axis + M_PI / 2}) {
+      const std::size_t first = found_.size();
+      addLines({std::cos(angle), std::sin(angle)});
+      for (std::size_t k = first; k < found_.size(); ++k) {
+        const FaceCurve& line = found_[k];
+        if (line.to - line.from < long_face)
+          continue;
+        std::vector<Eigen::Vector2d> on;
+        for (const FacePlace& place : places_.places)
+          if (const double s = line.along(place.at);
+              s >= line.from && s <= line.to && line.curve.distance(place.at) < near &&
+              std::abs(line.curve.direction.dot(place.normal)) < 0.05)
+            on.push_back(place.at);
+        if (on.size() < 10)
+          continue;
+        const Eigen::Vector2d way = fitCurve(false, on, places_.sigma).direction;
+        turns.emplace_back(
+            std::remainder(std::atan2(way.y(), way.x()) - axis, M_PI / 2),
+            line.to - line.from);
+        half += (line.to - line.from) / 2;
+      }
+      found_.resize(first);
+    }
+    std::sort(turns.begin(), turns.end());
+    for (const auto& [turn, length] : turns)
+      if ((half -= length) <= 0)
+        return turn;
+    return 0;
+  }
+
+  void addLines(const Eigen::Vector2d& normal)
+  {
+    for (FaceCurve& line : linesAlong(places_.alongDirection(normal), normal,
+                                      {0.015, 0.025, max_within, 0.1})) {
+      line.is_main = true;
+      found_.push_back(line);
+    }
+  }
+
+  /** @brief Follows neighbouring places both ways while their normals turn steadily. */
+  std::vector<Eigen::Vector2d> chainFrom(std::size_t seed, double half) const
+  {
+    constexpr double steady = 0.85; // cosine of the turn in a step
+    const double step = FaceCurve::bin * places_.scale;
+    std::vector<Eigen::Vector2d> chain{places_.places[seed].at};
+    for (const double side : {1.0, -1.0}) {
+      Eigen::Vector2d at = places_.places[seed].at;
+      Eigen::Vector2d way = side * leftOf(places_.places[seed].normal);
+      for (double s = step; s < half; s += step) {
+        const Eigen::Vector2d ahead = at + step * way;
+        std::size_t nearest = places_.places.size();
+        double least = 1.2 * step;
+        places_.points.forEachIndexWithin(ahead, least, [&](std::size_t i) {
+          const double d = (places_.places[i].at - ahead).norm();
+          if (d < least &&
+              std::abs(leftOf(places_.places[i].normal).dot(way)) > steady) {
+            least = d;
+            nearest = i;
+          }
+        });
+        if (nearest == places_.places.size())
+          break;
+        const Eigen::Vector2d on = leftOf(places_.places[nearest].normal);
+        way = on.dot(way) > 0 ? on : -on;
+        at = places_.places[nearest].at;
+        chain.push_back(at);
+      }
+    }
+    return chain;
+  }
+
+  void addChains()
+  {
+    constexpr double seeds = 0.1; // metres apart
+    std::set<std::pair<long, long>> taken;
+    for (std::size_t c = 0; c < found_.size(); ++c)
+      remember(c);
+    for (std::size_t i = 0; i < places_.places.size(); ++i) {
+      const FacePlace& place = places_.places[i];
+      if (place.normal.isZero() || !taken
+                                        .insert({std::lround(place.at.x() / seeds),
+                                                 std::lround(place.at.y() / seeds)})
+                                        .second)
+        continue;
+      for (const double half : {0.3, 0.6, 1.2}) {
+        const std::vector<Eigen::Vector2d> chain = chainFrom(i, half);
+        if (static_cast<double>(chain.size()) * FaceCurve::bin * places_.scale < half)
+          break;
+        if (!mainNormalOf(fitCurve(false, chain, places_.sigma), normals_))
+          addGrown(false, chain);
+        if (chain.size() > 4)
+          addGrown(true, chain);
+      }
+    }
+  }
+
+  /** @brief Adds the curve that fits a chain, grown to its support. */
+  void addGrown(bool is_circle, const std::vector<Eigen::Vector2d>& chain)
+  {
+    constexpr int rounds = 3;
+    FaceCurve found;
+    found.curve = fitCurve(is_circle, chain, places_.sigma);
+    for (int r = 0; r < rounds; ++r) {
+      if (is_circle && !(found.curve.radius > radii_.min - 3 * places_.sigma &&
+                         found.curve.radius < radii_.max))
+        return;
+      const std::vector<Eigen::Vector2d> support = supportOf(found, chain.front());
+      if (support.size() < 5)
+        return;
+      if (r + 1 < rounds)
+        found.curve = fitCurve(is_circle, support, places_.sigma);
+    }
+    if (found.to - found.from < 0.3 || isKnown(found))
+      return;
+    found_.push_back(found);
+    remember(found_.size() - 1);
+  }
+
+  /** @brief Returns the places on a curve that hang together with one; sets its ends.
+   */
+  std::vector<Eigen::Vector2d> supportOf(FaceCurve& found,
+                                         const Eigen::Vector2d& seed) const
+  {
+    const PlanCurve& curve = found.curve;
+    const double near = 3 * places_.sigma;
+    const double half = curve.isCircle() ? M_PI * curve.radius : 50;
+    found.from = -1e9;
+    const double start = found.along(seed);
+    std::vector<Eigen::Vector2d> support;
+    double ends[2] = {0, 0};
+    for (const int side : {0, 1}) {
+      double last = 0;
+      for (double s = 0; s < std::min(last + max_hole, half); s += FaceCurve::bin) {
+        const Eigen::Vector2d p = found.at(start + (side ? s : -s));
+        bool is_seen = false;
+        places_.points.forEachIndexWithin(
+            p, std::hypot(near, FaceCurve::bin / 2), [&](std::size_t i) {
+              const FacePlace& place = places_.places[i];
+              if (curve.distance(place.at) > near ||
+                  (!place.normal.isZero() &&
+                   std::abs(curve.tangentAt(place.at).dot(place.normal)) > 0.4))
+                return;
+              is_seen = true;
+              support.push_back(place.at);
+            });
+        if (is_seen)
+          last = s;
+      }
+      ends[side] = last;
+    }
+    found.from = start - ends[0];
+    found.to = start + ends[1];
+    if (curve.isCircle() && found.to - found.from > 2 * M_PI * curve.radius - max_hole)
+      found.to = found.from + 2 * M_PI * curve.radius;
+    return support;
+  }
+
+  /** @brief Remembers through which cells a curve goes. */
+  void remember(std::size_t c)
+  {
+    const FaceCurve& found = found_[c];
+    const double end = found.to + step / 2;
+    for (double s = found.from; s < end; s += step) {
+      const Eigen::Vector2d p = found.at(std::min(s, found.to));
+      std::vector<std::size_t>& there = through_[keyOf(cells_.at(p.x(), p.y()))];
+      if (there.empty() || there.back() != c)
+        there.push_back(c);
+    }
+  }
+
+  /** @brief Checks whether a curve is nearly one that was found. */
+  bool isKnown(const FaceCurve& curve) const
+  {
+    const auto isNearly = [&](std::size_t c) {
+      const FaceCurve& other = found_[c];
+      if (other.curve.isCircle() != curve.curve.isCircle())
+        return false;
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const Eigen::Vector2d p = curve.at(curve.from + t * (curve.to - curve.from));
+        const double s = other.along(p);
+        if (other.curve.distance(p) > 0.005 || s < other.from - 0.1 ||
+            s > other.to + 0.1)
+          return false;
+      }
+      return true;
+    };
+    const Eigen::Vector2d middle = curve.at((curve.from + curve.to) / 2);
+    std::set<CellKey> near;
+    for (const double x : {-step, step})
+      for (const double y : {-step, step})
+        near.insert(keyOf(cells_.at(middle.x() + x, middle.y() + y)));
+    return std::any_of(near.begin(), near.end(), [&](CellKey key) {
+      const auto there = through_.find(key);
+      return there != through_.end() &&
+             std::any_of(there->second.begin(), there->second.end(), isNearly);
+    });
+  }
+
+  const FacePlaces& places_;
+  RadiusRange radii_;
+  std::vector<Eigen::Vector2d> normals_;
+  std::vector<FaceCurve> found_;
+  CellGrid cells_{2 * step};
+  std::unordered_map<CellKey, std::vector<std::size_t>> through_; ///< curves, by cell
+};
+
+} // namespace
+
+const Eigen::Vector2d*
+mainNormalOf(const PlanCurve& curve, const std::vector<Eigen::Vector2d>& normals)
+{
+  constexpr double along = 0.02; // radians
+  const auto found =
+      std::find_if(normals.begin(), normals.end(), [&](const Eigen::Vector2d& normal) {
+        return !curve.isCircle() && std::abs(curve.direction.dot(normal)) < along;
+      });
+  return found == normals.end() ? nullptr : &*found;
+}
+
+FaceCurves
+proposeFaces(const FacePlaces& places, const RadiusRange& radii)
+{
+  return FaceProposal(places, radii).found();
+}
+
+} // namespace pcl::sedr
