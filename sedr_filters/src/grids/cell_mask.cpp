@@ -261,32 +261,6 @@ regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region
 }
 
 CellMask
-markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected)
-{
-  const MaskRegions regions = labelRegions(mask, eight_connected);
-  std::vector<std::uint8_t> is_marked(regions.sizes.size(), 0);
-  for (std::size_t i = 0; i < regions.label.size(); ++i)
-    if (marks.values()[i] && regions.label[i] >= 0)
-      is_marked[static_cast<std::size_t>(regions.label[i])] = 1;
-  CellMask result(mask.box());
-  for (std::size_t i = 0; i < regions.label.size(); ++i)
-    if (regions.label[i] >= 0)
-      result.values()[i] = is_marked[static_cast<std::size_t>(regions.label[i])];
-  return result;
-}
-
-CellMask
-largestRegion(const CellMask& mask)
-{
-  const MaskRegions regions = labelRegions(mask, false);
-  if (regions.sizes.empty())
-    return mask;
-  const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end());
-  return regionMask(mask, regions,
-                    static_cast<std::int32_t>(largest - regions.sizes.begin()));
-}
-
-CellMask
 enclosedCells(const CellMask& mask)
 {
   // The cells around the box are in the first region.

@@ -129,14 +129,6 @@ MaskRegions labelRegions(const CellMask& mask, bool eight_connected);
 CellMask
 regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region);
 
-/** @brief Returns the regions of `mask`, four- or eight-connected, with at least one
- * cell set in `marks`, a mask of the same box. O(cells). */
-CellMask
-markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected);
-
-/** @brief Returns the largest four-connected region, the first of equals. O(cells). */
-CellMask largestRegion(const CellMask& mask);
-
 /** @brief Returns the holes of the mask: unset cells without a four-connected path of
  * unset cells to the edge of the box. O(cells). */
 CellMask enclosedCells(const CellMask& mask);

@@ -33,14 +33,14 @@ public:
       keepBest();
       refit();
     }
-    return {found_, normals_};
+    return {found_, normals_, certainty()};
   }
 
 private:
   /** @brief Returns the places that a curve explains, and how well. */
   std::vector<std::pair<std::uint32_t, float>> explainedBy(const FaceCurve& found) const
   {
-    const double near = std::max(costs_.reach, 8 * places_.sigma);
+    const double near = std::max(std::min(costs_.reach, stray_), 8 * places_.sigma);
     std::vector<std::pair<std::uint32_t, float>> explained;
     const auto steps =
         static_cast<std::size_t>(std::ceil((found.to - found.from) / step)) + 1;
@@ -62,9 +62,9 @@ private:
     return explained;
   }
 
-  /** @brief Measures what a metre of face that no curve explains costs, by how many
-   * places there are on no long one: in a room without furniture they are a column's,
-   * in others mostly not structure. */
+  /** @brief Measures how many places are on no long face: in a room without furniture
+   * they are a column's, in others mostly not structure. By that follows what a metre
+   * of face costs that no curve explains. */
   void measureFaces()
   {
     std::vector<std::uint8_t> is_on(places_.places.size(), 0);
@@ -79,11 +79,13 @@ private:
       all += places_.places[i].length;
       beside += is_on[i] ? 0 : places_.places[i].length;
     }
-    const double stray = std::clamp(beside / all, 0.005, 0.5);
-    face_ = std::log((1 - stray) / stray * costs_.anywhere /
-                     (std::sqrt(2 * M_PI) * places_.sigma)) /
-            costs_.correlation;
+    stray_ = std::clamp(beside / all, 0.005, 0.3);
+    const double anywhere = costs_.anywhere / (std::sqrt(2 * M_PI) * places_.sigma);
+    face_ = std::log((1 - stray_) / stray_ * anywhere) / costs_.correlation;
   }
+
+  /** @brief Returns what a metre of surface tells that it is structure, nats. */
+  double certainty() const { return std::log((1 - stray_) / stray_) / costs_.together; }
 
   void keepBest()
   {
@@ -166,14 +168,15 @@ private:
   {
     return found.curve.isCircle() ? costs_.circle
            : found.is_main        ? costs_.line
-                                  : costs_.oblique;
+                                  : costs_.line + costs_.direction / found.shared;
   }
 
   static constexpr double step = 0.1; ///< metres
 
   const FacePlaces& places_;
   FaceCosts costs_;
-  double face_ = 0; ///< a metre that is explained, nats
+  double stray_ = 0.1; ///< share of the places that are on no long face
+  double face_ = 0;    ///< a metre that is explained, nats
   std::vector<Eigen::Vector2d> normals_;
   std::vector<FaceCurve> found_;
 };

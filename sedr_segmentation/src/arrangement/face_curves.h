@@ -16,12 +16,15 @@ namespace pcl::sedr {
 struct FaceCosts {
   double anywhere = 1.5;     ///< metres about a place, where another may be
   double correlation = 0.25; ///< metres, of what places are on
+  double together = 0.17;    ///< metres, of what is structure
   double line = 5.4;         ///< of a line along a main direction
-  double oblique = 13.7;
+  double direction = 8.3;    ///< besides, of a line along another
   double circle = 23;
-  double reach = 0.1; ///< metres; places farther from a curve are not explained, nearer
-                      ///< ones the less the farther they are: of faces so near each
-                      ///< other one is enough, unless they are long
+  /** @brief Metres. Places farther from a curve than the share of them that is on no
+   * long face, in metres, and than this are not explained, nearer ones the less the
+   * farther they are: of faces so near each other one is enough, unless they are long.
+   */
+  double reach = 0.1;
 };
 
 /** @brief Finds lines and circles that explain places on the faces of walls: peaks of

@@ -21,6 +21,7 @@ struct FaceCurve {
   double from = 0;
   double to = 0;
   bool is_main = false; ///< along a main direction
+  double shared = 1;    ///< so many lines share its direction
 
   /** @brief Returns how far along the curve the place nearest to `p` is; of a circle at
    * `from` or more. */

@@ -58,23 +58,29 @@ halfWidth(const PlanPoints& points, double around)
 
 /** @brief Returns the normal of the narrow strip through a place that holds most of
  * the places around it; zero if it is short.
- * @param around relative to the place
+ * @param around relative to the place, within a radius
  * @param strip half of its width */
 Eigen::Vector2d
-localNormal(const std::vector<Eigen::Vector2d>& around, double strip)
+localNormal(const std::vector<Eigen::Vector2d>& around, double radius, double strip)
 {
   constexpr int turns = 24;       // of half a turn
   constexpr double least = 0.025; // metres: deviation along the strip
   PlaceSums best;
+  double most = 0; // nearer places count more
   for (int k = 0; k < turns; ++k) {
     const double angle = k * M_PI / turns;
     const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
     PlaceSums sums;
+    double count = 0;
     for (const Eigen::Vector2d& d : around)
-      if (std::abs(normal.dot(d)) < strip)
+      if (std::abs(normal.dot(d)) < strip) {
         sums.add(d);
-    if (sums.n > best.n)
+        count += 1 - d.squaredNorm() / (radius * radius);
+      }
+    if (count > most) {
+      most = count;
       best = sums;
+    }
   }
   const Eigen::Vector2d normal = best.normal();
   const Eigen::Vector2d way = leftOf(normal);
@@ -102,7 +108,7 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
     around.clear();
     points.forEachWithin(p, reach * scale,
                          [&](const Eigen::Vector2d& q) { around.emplace_back(q - p); });
-    FacePlace place{p, localNormal(around, strip),
+    FacePlace place{p, localNormal(around, reach * scale, strip),
                     scale * FaceCurve::bin / counts[cellOf(p)]};
     double n = 0;
     double offset = 0;

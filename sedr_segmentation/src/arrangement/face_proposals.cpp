@@ -2,7 +2,8 @@
 #include "face_proposals.h"
 
 #include "../curves/fitted_curve.h"
-#include "../faces/wall_lines.h"
+#include "island_proposals.h"
+#include "main_angles.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/priors.h>
 
@@ -32,6 +33,9 @@ public:
     for (const Eigen::Vector2d& normal : normals_)
       addLines(normal);
     addChains();
+    for (const FaceCurve& found : proposeIslands(places_))
+      if (!found.curve.isCircle() || isWithinRadii(found.curve))
+        found_.push_back(found);
   }
 
   FaceCurves found() && { return {std::move(found_), std::move(normals_)}; }
@@ -169,6 +173,11 @@ private:
     }
   }
 
+  bool isWithinRadii(const PlanCurve& circle) const
+  {
+    return circle.radius > radii_.min - 3 * places_.sigma && circle.radius < radii_.max;
+  }
+
   /** @brief Adds the curve that fits a chain, grown to its support. */
   void addGrown(bool is_circle, const std::vector<Eigen::Vector2d>& chain)
   {
@@ -176,8 +185,7 @@ private:
     FaceCurve found;
     found.curve = fitCurve(is_circle, chain, places_.sigma);
     for (int r = 0; r < rounds; ++r) {
-      if (is_circle && !(found.curve.radius > radii_.min - 3 * places_.sigma &&
-                         found.curve.radius < radii_.max))
+      if (is_circle && !isWithinRadii(found.curve))
         return;
       const std::vector<Eigen::Vector2d> support = supportOf(found, chain.front());
       if (support.size() < 5)

@@ -22,6 +22,7 @@ constexpr double long_face = 1; ///< metre: of a wall, not of a thing
 struct FaceCurves {
   std::vector<FaceCurve> curves;
   std::vector<Eigen::Vector2d> normals; ///< main directions, two for each angle
+  double certainty = 0; ///< nats a metre of surface, that it is structure
 };
 
 /** @brief Proposes lines and circles: peaks of the offsets along main directions, and

@@ -3,6 +3,7 @@
 
 #include "../curves/contour.h"
 #include "../curves/fitted_curve.h"
+#include <pcl/sedr_filters/plan_editor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -191,26 +192,26 @@ closeArcs(PlanLoop& loop)
             jointOf(carrierOf(at(i)), carrierOf(at(i + 1)), at(i).end);
 }
 
-/** @brief Gives short pieces that lie on the curve before and after them, where another
- * one touches it, to that. */
+/** @brief Gives pieces that part hardly any area from the curve before and after them
+ * to that, as where another one touches it. */
 void
 bridgeTouching(std::vector<Piece>& pieces,
                const std::vector<PlanCurve>& curves,
                const PlaceNumbers& places)
 {
-  constexpr double longest = 0.2; // metres
-  constexpr double off = 0.01;    // metres
+  constexpr double least = 0.01; // square metres: 10 cm by 10 cm
   const std::size_t n = pieces.size();
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t line = pieces[i].line;
     if (pieces[(i + 1) % n].line == line)
       continue;
-    double length = 0;
-    std::size_t end = i + 1; // of the pieces on other curves
+    double area = 0;         // between the curve and the pieces on others
+    std::size_t end = i + 1; // of these
     for (; end < i + n && pieces[end % n].line != line; ++end) {
+      const Eigen::Vector2d& from = places.at(pieces[end % n].from);
       const Eigen::Vector2d& to = places.at(pieces[end % n].to);
-      length += (to - places.at(pieces[end % n].from)).norm();
-      if (length > longest || curves[line].distance(to) > off)
+      area += curves[line].distance((from + to) / 2) * (to - from).norm();
+      if (area > least)
         break;
     }
     if (end < i + n && pieces[end % n].line == line)
@@ -220,11 +221,10 @@ bridgeTouching(std::vector<Piece>& pieces,
 }
 
 PlanLoop
-planLoop(std::vector<Piece> pieces,
-         const std::vector<PlanCurve>& curves,
-         const PlaceNumbers& places)
+loopOf(std::vector<Piece> pieces,
+       const std::vector<PlanCurve>& curves,
+       const PlaceNumbers& places)
 {
-  bridgeTouching(pieces, curves, places);
   std::size_t first = 0; // where a curve begins
   while (first < pieces.size() &&
          pieces[first].line == pieces[(first + pieces.size() - 1) % pieces.size()].line)
@@ -240,6 +240,21 @@ planLoop(std::vector<Piece> pieces,
   }
   closeArcs(loop);
   return loop;
+}
+
+/** @brief Returns the outline that pieces are. */
+PlanLoop
+planLoop(const std::vector<Piece>& pieces,
+         const std::vector<PlanCurve>& curves,
+         const PlaceNumbers& places)
+{
+  std::vector<Piece> bridged = pieces;
+  bridgeTouching(bridged, curves, places);
+  PlanLoop loop = loopOf(std::move(bridged), curves, places);
+  const bool is_hole = loop.area() < 0;
+  return outlineProblem(is_hole ? reversed(loop) : loop).empty()
+             ? loop
+             : loopOf(pieces, curves, places);
 }
 
 } // namespace

@@ -11,6 +11,17 @@ closed(const CellMask& mask, double radius)
   return eroded(dilated(mask, radius), radius);
 }
 
+/** @brief Adds the cells of a mask that lie in the box of another. */
+void
+addCells(const CellMask& mask, CellMask& sum)
+{
+  const CellBox shared = overlapOf(sum.box(), mask.box());
+  for (int y = shared.low.y; y <= shared.high.y; ++y)
+    for (int x = shared.low.x; x <= shared.high.x; ++x)
+      if (mask.at({x, y}))
+        sum.set({x, y}, 1);
+}
+
 /** @brief Looks behind lines for one room, by steps outwards. */
 class RecessSearch {
 public:

@@ -44,14 +44,15 @@ sharedArea(const Eigen::Vector2d& middle,
 
 StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
                          const StoreyEnergy& energy,
-                         const std::vector<StoreyLine>& lines,
+                         const StoreyLines& lines,
                          const std::vector<PlanCells::Polygon>& polygons,
                          const std::vector<CellBorder>& borders)
     : energy_(energy)
+    , certainty_(lines.certainty)
     , labels_(evidence.storey.rooms.size() + 1)
     , recesses_(recessCells(evidence.storey,
                             evidence.cells,
-                            lines,
+                            lines.lines,
                             evidence.grid,
                             evidence.max_wall))
     , label_of_(evidence.cells.size(), 0)
@@ -61,8 +62,9 @@ StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
     label_of_[evidence.storey.rooms[k - 1]] = static_cast<int>(k);
   addAreas(evidence, polygons);
   for (const CellBorder& border : borders) {
-    addFronts(evidence, lines[border.line], border);
-    of_border_.push_back(costOf(lines[border.line], border));
+    const StoreyLine& line = lines.lines[border.line];
+    addFronts(evidence, line, border);
+    of_border_.push_back(costOf(line, border));
   }
 }
 
@@ -160,12 +162,11 @@ StoreyCosts::addFronts(const StoreyEvidence& evidence,
         continue;
       const bool on_left = side > 0;
       const auto r = static_cast<std::size_t>(label_of_[room]);
-      const double explained = static_cast<double>(seen[i]) * length;
+      const double cost = certainty_ * static_cast<double>(seen[i]) * length;
       double* const front = &of_cell_[(on_left ? border.left : border.right) * labels_];
       for (std::size_t l = 0; l < labels_; ++l)
-        front[l] += l == r ? 0 : energy_.front * explained;
-      of_cell_[(on_left ? border.right : border.left) * labels_ + r] +=
-          energy_.behind * explained;
+        front[l] += l == r ? 0 : cost;
+      of_cell_[(on_left ? border.right : border.left) * labels_ + r] += cost;
     }
   }
 }
@@ -181,8 +182,8 @@ StoreyCosts::costOf(const StoreyLine& line, const CellBorder& border) const
     if (s < line.from || s >= line.to)
       return energy_.open;
     const auto i = static_cast<std::size_t>((s - line.from) / StoreyLine::bin);
-    if (line.tall[i] > 0) // the face of another room
-      return energy_.open;
+    if (line.tall[i] > 0) // the face of another room: no place for a wall
+      return energy_.open + energy_.ended;
     switch (line.between[i]) {
     case StoreyLine::Between::Partly:
       return energy_.partly;

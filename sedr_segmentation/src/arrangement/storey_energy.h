@@ -19,8 +19,8 @@ namespace pcl::sedr {
  *                       or of any room and the cell is none; `niche` where that air is
  *                       in a recess with an opaque back, 0 in one that is open;
  *                       `unseen` of a room where nobody saw air)
- *                     + surface x (`front` if the cell before it is not of the room
- * that saw it; `behind` if the cell behind it is)
+ *                     + surface x (StoreyLines::certainty if the cell before it is not
+ *                       of the room that saw it, or the cell behind it is)
  *               + sum over borders and the rooms beside them
  *                     length x (`wall` + `off` x what was not explained of a surface
  *                       that the room saw; `partly`, `gap`, `ended` or `open` where it
@@ -30,8 +30,6 @@ struct StoreyEnergy {
   double seen = 40;
   double niche = 10;
   double unseen = 6;
-  double front = 8;
-  double behind = 8;
   double wall = 0.15;
   double off = 4;
   double partly = 0.15;
@@ -55,11 +53,10 @@ struct StoreyEvidence {
  * k > 0 the k-th room of the storey. */
 class StoreyCosts {
 public:
-  /** @param lines which have StoreyLine::any
-   * @param borders with the numbers of lines */
+  /** @param borders with the numbers of lines */
   StoreyCosts(const StoreyEvidence& evidence,
               const StoreyEnergy& energy,
-              const std::vector<StoreyLine>& lines,
+              const StoreyLines& lines,
               const std::vector<PlanCells::Polygon>& polygons,
               const std::vector<CellBorder>& borders);
 
@@ -95,6 +92,7 @@ private:
   BorderCost costOf(const StoreyLine& line, const CellBorder& border) const;
 
   StoreyEnergy energy_;
+  double certainty_; ///< of surfaces
   std::size_t labels_;
   std::vector<RecessCells> recesses_; ///< by room
   std::vector<int> label_of_;         ///< of each room

@@ -103,6 +103,32 @@ isNear(const std::vector<std::size_t>& rooms,
   return false;
 }
 
+/** @brief Returns where along a line another one meets it whose surface reaches up to
+ * the ceiling there or not far away, as in a hidden corner. */
+std::vector<double>
+crossingsOf(const StoreyLine& line, const StoreyLine& other)
+{
+  constexpr double reach = 2;      // metres
+  constexpr double parallel = 0.7; // cosine
+  std::vector<double> crossings;
+  for (const Eigen::Vector2d& p : intersections(line.curve, other.curve)) {
+    const double s = line.along(p);
+    const double t = other.along(p);
+    if (s < line.from || s >= line.to || t < other.from || t >= other.to ||
+        std::abs(line.curve.tangentAt(p).dot(other.curve.tangentAt(p))) > parallel)
+      continue;
+    const auto first = other.tall.begin();
+    const auto bin = [&](double at) {
+      return first +
+             static_cast<std::ptrdiff_t>(
+                 (std::clamp(at, other.from, other.to) - other.from) / StoreyLine::bin);
+    };
+    if (std::any_of(bin(t - reach), bin(t + reach) + 1, [](float v) { return v > 0; }))
+      crossings.push_back(s);
+  }
+  return crossings;
+}
+
 /** @brief Finds where each room saw the surface of a line. */
 void
 observe(const Storey& storey,
@@ -147,22 +173,55 @@ observe(const Storey& storey,
     if (line.tall[i] > 0 && !isNear(storey.rooms, cells, cellOf(i), isOpaque))
       line.tall[i] = 0;
   clean(line.tall);
-  const auto n = static_cast<std::ptrdiff_t>(bins);
-  const auto none = static_cast<std::ptrdiff_t>(1e6);
-  std::vector<std::ptrdiff_t> since(bins, none); // bins from the surface before
-  std::vector<std::ptrdiff_t> until(bins, none); // and to the next one
-  for (std::ptrdiff_t i = 0, count = none; i < n; ++i)
-    since[static_cast<std::size_t>(i)] = count =
-        line.tall[static_cast<std::size_t>(i)] > 0 ? 0 : count + 1;
-  for (std::ptrdiff_t i = n, count = none; i-- > 0;)
-    until[static_cast<std::size_t>(i)] = count =
-        line.tall[static_cast<std::size_t>(i)] > 0 ? 0 : count + 1;
+}
+
+/** @brief Returns the way back, or on, to the next bin of a kind, metres. */
+template <typename Is>
+std::vector<double>
+waysTo(std::size_t bins, bool back, Is is)
+{
+  std::vector<double> ways(bins);
+  double way = 1e6;
+  for (std::size_t k = 0; k < bins; ++k) {
+    const std::size_t i = back ? k : bins - 1 - k;
+    ways[i] = way = is(i) ? 0 : way + StoreyLine::bin;
+  }
+  return ways;
+}
+
+/** @brief Finds what is on a line where no surface reaches up to the ceiling.
+ * @param lines with their surfaces */
+void
+findBetween(const Storey& storey,
+            const std::vector<RoomCells>& cells,
+            const CellGrid& grid,
+            const std::vector<StoreyLine>& lines,
+            StoreyLine& line)
+{
+  const std::size_t bins = line.tall.size();
+  const auto cellOf = [&](std::size_t i) {
+    const Eigen::Vector2d p =
+        line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
+    return grid.at(p.x(), p.y());
+  };
+  std::vector<std::uint8_t> is_end(bins, 0);
+  for (std::size_t i = 0; i < bins; ++i)
+    is_end[i] = line.tall[i] > 0;
+  for (const StoreyLine& other : lines)
+    for (const double s : crossingsOf(line, other))
+      is_end[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)] = 1;
+  const auto isTall = [&](std::size_t i) { return line.tall[i] > 0; };
+  const auto isEnd = [&](std::size_t i) { return is_end[i] != 0; };
+  const std::vector<double> since = waysTo(bins, true, isTall);
+  const std::vector<double> until = waysTo(bins, false, isTall);
+  const std::vector<double> since_end = waysTo(bins, true, isEnd);
+  const std::vector<double> until_end = waysTo(bins, false, isEnd);
   line.between.assign(bins, StoreyLine::Between::Nothing);
   for (std::size_t i = 0; i < bins; ++i) {
-    const bool in_gap =
-        static_cast<double>(since[i] + until[i]) < max_gap / StoreyLine::bin;
-    if (!in_gap &&
-        static_cast<double>(std::min(since[i], until[i])) > ended / StoreyLine::bin)
+    const bool in_gap = since[i] + until[i] < max_gap;
+    const bool before_corner =
+        std::min(since[i] + until_end[i], since_end[i] + until[i]) < max_gap;
+    if (!in_gap && !before_corner && std::min(since[i], until[i]) > ended)
       continue;
     const Cell cell = cellOf(i);
     line.between[i] = isNear(storey.rooms, cells, cell, isPart) &&
@@ -250,8 +309,7 @@ appendEdges(std::vector<StoreyLine>& lines)
   }
 }
 
-/** @brief Finds which surfaces are a line's own, not those of one before it that is as
- * near. */
+/** @brief Finds which surfaces are a line's own: no other one explains them better. */
 void
 findOwn(std::vector<StoreyLine>& lines)
 {
@@ -266,12 +324,14 @@ findOwn(std::vector<StoreyLine>& lines)
       const Eigen::Vector2d p =
           line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
       const Eigen::Vector2d way = line.curve.tangentAt(p);
-      line.is_own[i] = std::none_of(
-          lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(k),
-          [&](const StoreyLine& other) {
-            return other.curve.distance(p) < beside &&
-                   std::abs(other.curve.tangentAt(p).dot(way)) > parallel &&
-                   other.seenAt(other.curve.project(p)) > 0;
+      line.is_own[i] =
+          std::none_of(lines.begin(), lines.end(), [&](const StoreyLine& other) {
+            if (other.curve.distance(p) > beside ||
+                std::abs(other.curve.tangentAt(p).dot(way)) < parallel)
+              return false;
+            const double there = other.seenAt(other.curve.project(p));
+            const double here = line.any[i];
+            return &other < &line ? there >= here : there > here;
           });
     }
   }
@@ -296,7 +356,7 @@ StoreyLine::support() const
                                any.begin(), any.end(), [](float v) { return v > 0; }));
 }
 
-std::vector<StoreyLine>
+StoreyLines
 storeyLines(const Storey& storey,
             const std::vector<RoomCells>& cells,
             const CellGrid& grid,
@@ -308,7 +368,8 @@ storeyLines(const Storey& storey,
     places.insert(places.end(), cells[r].wall_points.begin(),
                   cells[r].wall_points.end());
   const FaceCurves faces = faceCurves(places, radii);
-  std::vector<StoreyLine> lines;
+  StoreyLines storey_lines{{}, faces.certainty};
+  std::vector<StoreyLine>& lines = storey_lines.lines;
   for (const FaceCurve& face : faces.curves) {
     StoreyLine& line = lines.emplace_back();
     static_cast<FaceCurve&>(line) = face;
@@ -327,6 +388,8 @@ storeyLines(const Storey& storey,
     line.near = near;
     observe(storey, cells, grid, line);
   }
+  for (StoreyLine& line : lines)
+    findBetween(storey, cells, grid, lines, line);
   appendEdges(lines);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const StoreyLine& a, const StoreyLine& b) {
@@ -337,7 +400,7 @@ storeyLines(const Storey& storey,
                      return order(a) < order(b);
                    });
   findOwn(lines);
-  return lines;
+  return storey_lines;
 }
 
 } // namespace pcl::sedr

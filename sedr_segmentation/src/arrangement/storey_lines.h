@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../regions/storey_regions.h"
+#include "../faces/storeys.h"
 #include "face_curves.h"
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct StoreyLine : FaceCurve {
   enum class Between : std::uint8_t {
     Partly, ///< below or above it goes on, as at a window or a door
     Gap,    ///< between two parts of the surface: a passage, a cupboard before it
-    Beyond, ///< near an end of the surface
+    Beyond, ///< near an end of the surface, or from there to a corner
     Nothing ///< farther away
   };
 
@@ -40,13 +40,19 @@ struct StoreyLine : FaceCurve {
   double support() const;
 };
 
+/** @brief The lines of a storey. */
+struct StoreyLines {
+  std::vector<StoreyLine> lines;
+  double certainty = 0; ///< nats a metre of surface, that it is a wall's
+};
+
 /** @brief Finds the lines of a storey: those of its faces, where seen air ends without
  * one, and across the ends of faces. Those with most surface come first.
  * @param near distance of surfaces from their line, metres */
-std::vector<StoreyLine> storeyLines(const Storey& storey,
-                                    const std::vector<RoomCells>& cells,
-                                    const CellGrid& grid,
-                                    const RadiusRange& radii,
-                                    double near);
+StoreyLines storeyLines(const Storey& storey,
+                        const std::vector<RoomCells>& cells,
+                        const CellGrid& grid,
+                        const RadiusRange& radii,
+                        double near);
 
 } // namespace pcl::sedr

@@ -319,8 +319,9 @@ labelStorey(const StoreyEvidence& evidence,
 {
   if (evidence.storey.rooms.empty())
     return;
-  const std::vector<StoreyLine> lines = storeyLines(
-      evidence.storey, evidence.cells, evidence.grid, evidence.radii, evidence.near);
+  const StoreyLines found = storeyLines(evidence.storey, evidence.cells, evidence.grid,
+                                        evidence.radii, evidence.near);
+  const std::vector<StoreyLine>& lines = found.lines;
   Eigen::AlignedBox2d box;
   for (const std::size_t r : evidence.storey.rooms) {
     box.extend(evidence.grid.centre(evidence.cells[r].seen.box().low));
@@ -330,7 +331,7 @@ labelStorey(const StoreyEvidence& evidence,
   const PlanCells arrangement(box, dividersOf(lines, line_of));
   std::vector<CellBorder> borders = arrangement.borders();
   nameBorders(lines, line_of, borders);
-  const StoreyCosts costs(evidence, energy, lines, arrangement.polygons(), borders);
+  const StoreyCosts costs(evidence, energy, found, arrangement.polygons(), borders);
   const StoreyLabelling labelling(costs, lines, borders, energy.line);
   std::vector<PlanCurve> curves;
   for (const StoreyLine& line : lines)

@@ -156,8 +156,8 @@ signedArea(const std::vector<Eigen::Vector2d>& polygon)
   return area;
 }
 
-std::pair<std::size_t, std::size_t>
-crossingEdges(const std::vector<Eigen::Vector2d>& polygon)
+bool
+crossesItself(const std::vector<Eigen::Vector2d>& polygon)
 {
   const std::size_t n = polygon.size();
   struct Edge {
@@ -174,7 +174,6 @@ crossingEdges(const std::vector<Eigen::Vector2d>& polygon)
   // Sweep from left to right: only edges that begin before another ends can meet it.
   std::sort(edges.begin(), edges.end(),
             [](const Edge& a, const Edge& b) { return a.low.x() < b.low.x(); });
-  std::pair<std::size_t, std::size_t> first(n, n);
   for (auto a = edges.begin(); a != edges.end(); ++a)
     for (auto b = a + 1; b != edges.end() && b->low.x() <= a->high.x(); ++b) {
       const auto [i, j] = std::minmax(a->index, b->index);
@@ -182,9 +181,9 @@ crossingEdges(const std::vector<Eigen::Vector2d>& polygon)
           a->low.y() > b->high.y())
         continue;
       if (edgesMeet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n]))
-        first = std::min(first, {i, j});
+        return true;
     }
-  return first;
+  return false;
 }
 
 std::vector<Eigen::Vector2d>

@@ -5,8 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -23,17 +21,9 @@ std::vector<Contour> traceContours(const CellMask& mask, double cell_size);
  */
 double signedArea(const std::vector<Eigen::Vector2d>& polygon);
 
-/** @brief Returns the first two edges of a polygon that cross or touch and are not
- * adjacent, in order; equal numbers if there are none. O(n^2). */
-std::pair<std::size_t, std::size_t>
-crossingEdges(const std::vector<Eigen::Vector2d>& polygon);
-
-inline bool
-crossesItself(const std::vector<Eigen::Vector2d>& polygon)
-{
-  const auto [first, second] = crossingEdges(polygon);
-  return first != second;
-}
+/** @brief Checks whether two edges of a polygon cross or touch that are not adjacent.
+ * O(n^2). */
+bool crossesItself(const std::vector<Eigen::Vector2d>& polygon);
 
 /** @brief Simplifies a closed polygon such that no removed corner is farther than
  * `tolerance` from it (Douglas and Peucker 1973). */

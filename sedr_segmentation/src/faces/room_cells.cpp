@@ -194,8 +194,13 @@ gatherWalls(const PointView& points,
   std::vector<Eigen::Vector3d> sums(count, Eigen::Vector3d::Zero()); // of surfaces
   std::vector<float> beside = high;
   spread(cells.seen, 1, std::greater<>(), beside);
+  std::vector<double> depth; // of the ceiling about each cell
+  for (std::size_t at = 0; at < count; ++at)
+    if (is_own[at] > 0)
+      depth.push_back(cells.top[at] - cells.low[at]);
+  const double uneven = depth.empty() ? 0 : middleValue(std::move(depth));
   const auto isLowLintel = [&](std::size_t at, double z) {
-    const double top = cells.top[at];
+    const double top = cells.top[at] - uneven;
     return beside[at] > top - p.rim / 3 && at_top[at] > near[at] / 3 &&
            cells.low[at] < top - std::max(p.below, grid.size()) &&
            z < top - p.rim / 3 &&
@@ -268,20 +273,26 @@ gatherWalls(const PointView& points,
         __builtin_popcountll(bins_of_base[i] & below_sill) >= p.filled_of_wall &&
         !(is_tall && highest[i] < cells.low[i] - p.below);
   }
-  const CellMask near_solid = dilated(cells.solid, 1);
   const CellMask near_base = dilated(cells.base, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
   const auto isTall = [&](std::size_t i) {
     return cells.solid.values()[i] || (cells.riser.values()[i] && !is_low[i]);
   };
+  CellMask tall(cells.seen.box());
+  for (std::size_t i = 0; i < count; ++i)
+    tall.values()[i] = isTall(i);
+  const CellMask near_tall = dilated(tall, 1);
+  const CellMask beside_tall = dilated(tall, 3); // of what is wall for certain
   for (std::size_t i = 0; i < count; ++i)
     if (!cells.riser.values()[i] || isTall(i))
       sums[i].setZero();
   for (const Place& place : places) {
     if (endsBelow(place.cell))
       continue;
-    if (place.is_top ? place.is_wall || near_solid.values()[place.cell]
-                     : near_pillar.values()[place.cell] != 0)
+    if ((!place.is_top   ? near_pillar
+         : place.is_wall ? beside_tall
+                         : near_tall)
+            .values()[place.cell])
       cells.wall_points.push_back(place.at);
     if (place.is_top && isTall(place.cell))
       sums[place.cell] += place.at.homogeneous();
@@ -291,11 +302,10 @@ gatherWalls(const PointView& points,
       cells.riser.values()[i] = 0;
       continue;
     }
-    cells.centres.push_back(sums[i].hnormalized());
-    if (cells.riser.values()[i] && is_low[i]) // as good as a wall above a parapet
-      cells.wall_points.insert(cells.wall_points.end(),
-                               near_base.values()[i] ? p.filled : 1,
-                               cells.centres.back());
+    // As good as a wall above a parapet; elsewhere it may be noise of the ceiling.
+    if (cells.riser.values()[i] && is_low[i] && near_base.values()[i])
+      cells.wall_points.insert(cells.wall_points.end(), p.filled,
+                               sums[i].hnormalized());
   }
 }
 

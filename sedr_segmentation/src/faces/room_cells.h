@@ -43,9 +43,6 @@ struct RoomCells {
   CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
 
-  /** @brief Mean place of the surface in each solid or riser cell, in their order. */
-  std::vector<Eigen::Vector2d> centres;
-
   /** @brief Returns whether two rooms share more than half a metre of height. */
   bool sharesHeights(const RoomCells& other) const;
 

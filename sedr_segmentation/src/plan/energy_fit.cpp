@@ -2,18 +2,19 @@
 #include "energy_fit.h"
 
 #include "../arrangement/storey_plan.h"
-#include "../faces/room_cells.h"
-#include "../loops/loop_assembly.h"
+#include "../faces/storeys.h"
 #include "../niches/niche_fit.h"
-#include "../regions/storey_regions.h"
 #include "../sheets/sheet_relief.h"
+#include "outline_samples.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "wall_feet.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -85,94 +86,6 @@ labelledPoints(const PointView& points, const std::vector<RoomEvidence>& parts)
       if (!is_labelled[static_cast<std::size_t>(i)])
         rooms[r].others.push_back(i);
   return rooms;
-}
-
-/** @brief Returns the energy with the limits that were set. */
-LoopEnergy
-energyOf(const RoomFitParameters& parameters)
-{
-  constexpr double sigmas = 2.5; // to which the threshold of inliers corresponds
-  LoopEnergy energy;
-  energy.max_sigma = parameters.tolerance / sigmas;
-  energy.min_sigma = std::min(energy.min_sigma, energy.max_sigma);
-  energy.min_radius = parameters.minimum_radius;
-  energy.max_radius = parameters.maximum_radius;
-  return energy;
-}
-
-/** @brief Fits the loops of the rooms of a storey. */
-void
-fitLoops(const Storey& storey,
-         const std::vector<RoomCells>& cells,
-         const std::vector<RoomRegion>& regions,
-         const CellGrid& grid,
-         const RoomFitParameters& parameters,
-         std::vector<PlanRoom>& rooms,
-         std::vector<FittedBoundary>& boundaries,
-         WallNoise& noise)
-{
-  constexpr double near = 3; // cells: farther points are no evidence of the walls
-  const LoopEnergy energy = energyOf(parameters);
-  std::vector<LoopContour> contours;
-  std::vector<CellMask> seen(cells.size()); // of each room's region
-  for (const std::size_t r : storey.rooms)
-    seen[r] = intersect(regions[r].cells, cells[r].seen);
-  for (const std::size_t r : storey.rooms) {
-    const CellMask& region = regions[r].cells;
-    // Panes and leaves stand in openings of a wall: they are none.
-    const CellMask evidence = subtract(dilated(region, near), regions[r].beyond);
-    std::vector<Eigen::Vector2d> places;
-    for (const Eigen::Vector2d& p : cells[r].wall_points)
-      if (evidence.at(grid.at(p.x(), p.y())))
-        places.push_back(p);
-    const PlanPoints walls(places, 0.2);
-    CellMask others(region.box()); // their air, with a wall around it
-    CellMask unseen(region.box());
-    for (const std::size_t q : storey.rooms)
-      if (q != r && overlapOf(region.box(), regions[q].cells.box()).count() > 0) {
-        addCells(cells[q].besideRoom(cells[r], seen[q]), others);
-        addCells(cells[q].besideRoom(cells[r], regions[q].cells), unseen);
-      }
-    others = subtract(unite(dilated(others, 1), unseen), region);
-    for (LoopContour& contour : contoursOf(region, grid, r)) {
-      gatherBeside(walls, {&region, &cells[r].seen, &others}, grid, energy, contour);
-      contours.push_back(std::move(contour));
-    }
-  }
-  findSurfaces(contours, energy, grid.size());
-  noise = wallNoise(contours, energy, grid.size());
-  LoopSolver solver(contours, storey.lines, energy, grid.size(), noise,
-                    parameters.threads);
-  solver.solve();
-  for (std::size_t c = 0; c < contours.size(); ++c) {
-    PlanLoop loop = assembleLoop(solver, c);
-    PlanRoom& room = rooms[contours[c].room];
-    if (loop.elements.empty())
-      continue;
-    if (!contours[c].is_hole && !room.boundary.elements.empty())
-      continue;
-    FittedBoundary fitted;
-    fitted.room = static_cast<std::uint32_t>(contours[c].room);
-    fitted.label = contours[c].is_hole ? StructureLabel::Column : StructureLabel::Wall;
-    const double near_wall = 3 * energy.max_sigma;
-    for (std::size_t i = 0; i < contours[c].samples.size(); ++i) {
-      const LoopSample& sample = contours[c].samples[i];
-      const PlanCurve& wall = solver.candidate(solver.labels(c)[i]).curve();
-      const bool is_on = sample.isSeen() && wall.distance(sample.anchor) < near_wall;
-      ContourSample place;
-      place.place = sample.place;
-      place.position = is_on ? wall.project(sample.anchor) : sample.place;
-      place.tangent = {-sample.normal.y(), sample.normal.x()};
-      place.support = is_on ? sample.seen : 0;
-      place.points = sample.points;
-      fitted.samples.push_back(place);
-    }
-    boundaries.push_back(std::move(fitted));
-    if (contours[c].is_hole)
-      room.columns.push_back(std::move(loop));
-    else
-      room.boundary = std::move(loop);
-  }
 }
 
 /** @brief Returns whether enough of a surface is known for a plane. */
@@ -270,28 +183,37 @@ fitPlanByEnergy(const PointView& points,
       roomCells(points, labelledPoints(points, parts), slopes, grid, of_cells, threads);
   if (scan.size() > 0)
     findGlass(scan, scan_indices, slopes, grid, of_cells, threads, cells);
-  WallLineParameters of_lines;
-  of_lines.cell = grid.size();
-  const std::vector<Storey> storeys = storeysOf(cells, grid, of_lines, threads);
-  RegionEnergy of_regions;
-  of_regions.max_wall = parameters.priors.max_wall;
-  of_regions.max_doorway = 1.5 * parameters.priors.max_wall;
-  const std::vector<RoomRegion> regions =
-      roomRegions(cells, storeys, grid, of_regions, threads);
+  const std::vector<Storey> storeys = storeysOf(cells, grid);
   std::vector<PlanRoom> rooms(numbers.size());
+  std::vector<OutlineCover> covers(numbers.size());
   std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
   noise.resize(storeys.size());
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    rooms[r].id = numbers[r];
+  // Of the distance threshold three fifths are noise, the rest is a wall's own.
+  const double near = 0.6 * parameters.tolerance;
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
-    fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s], noise[s]);
-    if (parameters.label_storeys)
-      labelStorey({storeys[s],
-                   cells,
-                   grid,
-                   priors.max_wall,
-                   0.6 * parameters.tolerance, // the rest is the wall's own
-                   {parameters.minimum_radius, parameters.maximum_radius}},
-                  StoreyEnergy(), rooms);
-    for (const std::size_t r : storeys[s].rooms)
+    const std::vector<std::size_t>& beside = storeys[s].rooms;
+    labelStorey({storeys[s],
+                 cells,
+                 grid,
+                 priors.max_wall,
+                 near,
+                 {parameters.minimum_radius, parameters.maximum_radius}},
+                StoreyEnergy(), rooms);
+    std::vector<const PlanRoom*> others;
+    for (const std::size_t r : beside)
+      others.push_back(&rooms[r]);
+    for (const std::size_t r : beside) {
+      if (rooms[r].boundary.elements.empty())
+        continue;
+      covers[r] = coverOf(rooms[r], others, cells[r], grid, priors.max_wall);
+      for (FittedBoundary& boundary :
+           outlineSamples(rooms[r], cells[r], grid.size(), near))
+        fitted[s].push_back(std::move(boundary));
+    }
+    noise[s] = wallNoise(fitted[s], grid.size());
+    for (const std::size_t r : beside)
       noise[s].rooms.push_back(numbers[r]);
   });
   std::vector<std::vector<RoomSheet>> of_rooms(numbers.size());
@@ -301,7 +223,6 @@ fitPlanByEnergy(const PointView& points,
   };
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     PlanRoom& room = rooms[r];
-    room.id = numbers[r];
     if (room.boundary.elements.empty() || !isKnownRoom(r))
       return;
     const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
@@ -338,21 +259,18 @@ fitPlanByEnergy(const PointView& points,
       warn("no closed outline could be fitted to " +
            std::to_string(cells[r].seen.count()) + " ceiling cells");
     else {
-      if (regions[r].lost >= parameters.minimum_detail_area)
-        warnings.push_back({WarningKind::CeilingApart, {regions[r].lost}, numbers[r]});
-      if (regions[r].unseen >= parameters.priors.min_slab_area)
+      if (covers[r].lost >= parameters.minimum_detail_area)
+        warnings.push_back({WarningKind::CeilingApart, {covers[r].lost}, numbers[r]});
+      if (covers[r].unseen >= parameters.priors.min_slab_area)
         warnings.push_back(
-            {WarningKind::Hidden, {regions[r].unseen, rooms[r].area()}, numbers[r]});
+            {WarningKind::Hidden, {covers[r].unseen, rooms[r].area()}, numbers[r]});
       for (RoomSheet& sheet : of_rooms[r])
         sheets.push_back(std::move(sheet));
       plan.rooms.push_back(std::move(rooms[r]));
     }
   }
   for (auto& of_storey : fitted)
-    for (FittedBoundary& boundary : of_storey) {
-      boundary.room = numbers[boundary.room];
-      boundaries.push_back(std::move(boundary));
-    }
+    std::move(of_storey.begin(), of_storey.end(), std::back_inserter(boundaries));
   if (plan.rooms.empty())
     problem = warnings.empty() ? "no ceiling point belongs to a room"
                                : sentenceOf(warnings.front());

@@ -11,8 +11,8 @@
 
 namespace pcl::sedr {
 
-/** @brief Fits all rooms of a plan by two energies: RegionEnergy tells which cells are
- * the room's, LoopEnergy which lines and arcs its walls are.
+/** @brief Fits all rooms of a plan: outlines by StoreyEnergy, ceilings and floors by
+ * the facets' energy.
  * @param scan the raw scan, may be empty; it tells glass from walls
  * @param scan_indices the points of it to use; empty: all
  * @param[out] problem the reason if there is no room, a sentence; else empty

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans whose outlines are found by one labelling of the storey.
+// What one labelling of a storey makes of beams, shelves and faces that nobody saw.
 #include "../plan/two_rooms.h"
 
 #include <algorithm>
@@ -12,17 +12,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-Floorplan
-labelledPlan(const RoomPoints& points, const PlanEvidence& evidence)
-{
-  Fitting fitting;
-  setEvidence(points, evidence, fitting);
-  fitting.setLabelStoreys(true);
-  Floorplan plan;
-  EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
-  return plan;
-}
-
 /** Expects one room with the elements and corners of the truth. */
 void
 expectOutline(const RoomPoints& points,
@@ -30,7 +19,7 @@ expectOutline(const RoomPoints& points,
               const PlanLoop& truth,
               double tolerance)
 {
-  const Floorplan plan = labelledPlan(points, evidence);
+  const Floorplan plan = planOf(points, evidence);
   ASSERT_EQ(plan.rooms.size(), 1U);
   const PlanLoop& loop = plan.rooms[0].boundary;
   EXPECT_EQ(loop.elements.size(), truth.elements.size());
@@ -47,16 +36,6 @@ expectOutline(const PlanLoop& truth, double noise, double tolerance)
   expectOutline(points, evidenceOf(points, parts), truth, tolerance);
 }
 
-TEST(LabelledPlan, CornersAtAnyAngleInTheGrid)
-{
-  const PlanLoop shape = polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}});
-  for (const double degrees : {0, 17, 45, 88})
-    for (const double noise : {0.0, 0.01}) {
-      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
-      expectOutline(placed(shape, degrees, {1.013, -7.021}), noise, 0.003 + noise / 2);
-    }
-}
-
 TEST(LabelledPlan, APilasterIsPartOfTheOutline)
 {
   expectOutline(
@@ -67,35 +46,6 @@ TEST(LabelledPlan, APilasterIsPartOfTheOutline)
 TEST(LabelledPlan, WallsThatAreNotSquare)
 {
   expectOutline(polygon({{0, 0}, {6, 0}, {6, 2.5}, {4, 4}, {0, 4}}), 0.003, 0.004);
-}
-
-TEST(LabelledPlan, ACurvedWallIsOneArc)
-{
-  const double half = std::asin(3.0 / 5) * 180 / M_PI;
-  const PlanLoop bulging{{segment({-3, 0}, {3, 0}), segment({3, 0}, {3, 4}),
-                          arc({0, 0}, 5, 90 - half, 90 + half),
-                          segment({-3, 4}, {-3, 0})}};
-  RoomPoints points(0.05, 0.003);
-  const RoomParts parts = points.room(bulging, 0, 2.5);
-  const Floorplan plan = labelledPlan(points, evidenceOf(points, parts));
-  ASSERT_EQ(plan.rooms.size(), 1U);
-  const std::vector<PlanElement>& walls = plan.rooms[0].boundary.elements;
-  ASSERT_EQ(walls.size(), 4U);
-  EXPECT_EQ(std::count_if(walls.begin(), walls.end(),
-                          [](const PlanElement& e) {
-                            return e.isArc() && std::abs(e.radius - 5) < 0.01;
-                          }),
-            1);
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, bulging), 0.004);
-}
-
-TEST(LabelledPlan, EachRoomHasItsOwnFaceOfAPartition)
-{
-  const TwoRooms scene;
-  const Floorplan plan = labelledPlan(scene.points, scene.evidence);
-  ASSERT_EQ(plan.rooms.size(), 2U);
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
-  EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
 }
 
 TEST(LabelledPlan, AWallGoesStraightOnBehindShelvesThatStandOffIt)
@@ -124,7 +74,7 @@ TEST(LabelledPlan, ABeamPartsNoRoom)
     const RoomParts parts = points.room(truth);
     PlanEvidence evidence = evidenceOf(points, parts);
     evidence.walls = joined(evidence.walls, evidence.details); // as wall growing may
-    const Floorplan plan = labelledPlan(points, evidence);
+    const Floorplan plan = planOf(points, evidence);
     ASSERT_EQ(plan.rooms.size(), 1U);
     EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4U) << width;
     EXPECT_NEAR(plan.rooms[0].area(), 45, 0.1) << width;
@@ -138,7 +88,7 @@ TEST(LabelledPlan, EndsWhereTheAirEndsThatWasSeen)
   RoomPoints points(0.05, 0.003);
   const RoomParts parts = points.room(
       roomOf(truth, 2.5), [](const Eigen::Vector3d& p) { return p.x() < 4.9; });
-  const Floorplan plan = labelledPlan(points, evidenceOf(points, parts));
+  const Floorplan plan = planOf(points, evidenceOf(points, parts));
   ASSERT_EQ(plan.rooms.size(), 1U);
   EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4U);
   EXPECT_NEAR(plan.rooms[0].area(), 4.95 * 4, 0.21);

@@ -70,22 +70,6 @@ addRoom(const RoomPoints& points,
 
 using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
 
-/** Whether fits find outlines by one labelling of each storey, not by loops. */
-inline bool label_storeys = false;
-
-/** What holds for outlines however they are found. */
-class OutlinesByBoth : public testing::TestWithParam<bool> {
-protected:
-  void SetUp() override { label_storeys = GetParam(); }
-  void TearDown() override { label_storeys = false; }
-};
-
-inline std::string
-nameOfMethod(const testing::TestParamInfo<bool>& info)
-{
-  return info.param ? "labels" : "loops";
-}
-
 /** Gives a fit its input. */
 inline void
 setEvidence(const RoomPoints& points, const PlanEvidence& evidence, Fitting& fitting)
@@ -98,7 +82,6 @@ setEvidence(const RoomPoints& points, const PlanEvidence& evidence, Fitting& fit
   if (!evidence.walls.empty())
     fitting.setWallIndices(shared(evidence.walls));
   fitting.setRooms(evidence.room);
-  fitting.setLabelStoreys(label_storeys);
 }
 
 /** Returns the plan of points, which must have one; empty otherwise. */

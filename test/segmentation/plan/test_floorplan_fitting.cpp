@@ -170,15 +170,15 @@ noiseOf(double noise, double amplitude)
 
 TEST(FloorplanFitting, TellsTheNoiseOfWallsAndHowFarItIsAlike)
 {
-  EXPECT_LT(noiseOf(0.003, 0).measured, 0.004) << "less than the fit takes";
+  EXPECT_LT(noiseOf(0.003, 0).measured, 0.004);
   const WallNoise white = noiseOf(0.01, 0);
   EXPECT_EQ(white.rooms, std::vector<std::uint32_t>{1});
   EXPECT_GT(white.stretches, 20u);
-  EXPECT_LT(white.sigma, 0.01); // ten points of a wall are seen at a place
+  EXPECT_LT(white.measured, 0.01); // ten points of a wall are seen at a place
   EXPECT_LT(white.correlation, 0.1);
   // Of a sine of 1.5 cm, three quarters are within 1.39 cm: 1.2 sigma.
   const WallNoise wave = noiseOf(0.002, 0.015);
-  EXPECT_NEAR(wave.sigma, 0.012, 0.003);
+  EXPECT_NEAR(wave.measured, 0.012, 0.003);
   EXPECT_GT(wave.correlation, 0.1);
 }
 

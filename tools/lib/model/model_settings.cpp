@@ -59,9 +59,6 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
                "of a scan tilted by 0.3 to 3 degrees, write all results level");
   options.flag("no-mesh", s.no_mesh,
                "stop at the plan and its solid: no mesh.ply and no distances to it");
-  options.flag("label-storeys", s.label_storeys,
-               "find the outlines of a storey's rooms by one labelling of the cells "
-               "between all its walls, see doc/floorplan_fitting.md (experimental)");
   options.flag("partial", s.partial,
                "write the model even if it holds less than half of the floor that was "
                "seen");
@@ -82,7 +79,6 @@ apply(const ModelSettings& s, Reconstruction& chain)
 {
   chain.setPriors(readPriors(s.priors));
   chain.setNumberOfThreads(s.threads);
-  chain.getStages().floorplan_fitting.setLabelStoreys(s.label_storeys);
   chain.getStages().extrusion.setCutOpenings(s.openings == "cut");
 }
 

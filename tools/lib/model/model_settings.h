@@ -21,8 +21,7 @@ struct ModelSettings {
   ScanAssumptions known;
   unsigned threads = 0;
   bool no_mesh = false;
-  bool label_storeys = false; ///< outlines by one labelling of each storey
-  bool partial = false;       ///< accept a model of a small part
+  bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
   std::string project;             ///< name, for drawings and IFC

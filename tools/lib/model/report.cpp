@@ -157,9 +157,7 @@ noiseOf(const std::vector<WallNoise>& storeys)
   for (const WallNoise& noise : storeys)
     all.push_back({{"rooms", noise.rooms},
                    {"measured", noise.measured},
-                   {"sigma", noise.sigma},
                    {"correlation", noise.correlation},
-                   {"spread", noise.spread},
                    {"stretches", noise.stretches}});
   return all;
 }

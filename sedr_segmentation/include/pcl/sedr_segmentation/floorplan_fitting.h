@@ -44,7 +44,6 @@ struct RoomFitParameters {
   double maximum_radius = 25;        ///< of an arc; flatter ones are segments
   double minimum_detail_area = 0.25; ///< square metres
   std::uint64_t seed = 1;            ///< of the planes' random samples
-  bool label_storeys = false;        ///< outlines by one labelling of each storey
   unsigned threads = 0;              ///< 0: all processors
 };
 
@@ -62,13 +61,10 @@ struct PointOwner {
 };
 
 /** @brief Noise of the walls of rooms that share heights, measured along straight
- * stretches of them; metres. It decides how many corners a plan has. */
+ * stretches of them; metres. */
 struct WallNoise {
   double measured = 0;       ///< standard deviation of a place from a metre of its wall
-  double sigma = 0.01;       ///< that which the fit takes: within what it is made for
   double correlation = 0.1;  ///< so long a piece of wall is one independent observation
-  double spread = 0.01;      ///< standard deviation of such an observation from metres
-                             ///< of its wall, which waves: at least sigma
   std::size_t stretches = 0; ///< in which it was measured; 0: too few, it is assumed
   std::vector<std::uint32_t> rooms; ///< their numbers
 };
@@ -85,13 +81,12 @@ struct FittedBoundary {
 /** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7). Frame: z
  * up, metres.
  *
- * Two energies are made as small as possible: a minimum cut tells which cells are whose
- * room, and the cheapest cycles of labels around their contours tell which lines and
- * arcs the walls are. The result is a closed loop of segments and arcs per room, with
- * columns as inner loops and details as loops of their own height. Room numbers of the
- * points separate the rooms, see setRooms(); without them there is one room. Non-finite
- * points are left out. O(n log n) for n points plus the cells of the rooms' bounding
- * boxes.
+ * The lines and arcs of all faces of a storey part it into cells, and the labels of the
+ * cells, a room or none, that make one energy smallest are its plan. The result is a
+ * closed loop of segments and arcs per room, with columns as inner loops and details as
+ * loops of their own height. Room numbers of the points separate the rooms, see
+ * setRooms(); without them there is one room. Non-finite points are left out. O(n log
+ * n) for n points plus the cells of the rooms' bounding boxes.
  * @code
  * pcl::FloorplanFitting<pcl::PointXYZ> fitting;
  * fitting.setInputCloud(thinned);
@@ -224,11 +219,6 @@ public:
   /** @brief Sets the seed of the random samples. Default 1. */
   void setSeed(std::uint64_t seed) { parameters_.seed = seed; }
   std::uint64_t getSeed() const { return parameters_.seed; }
-
-  /** @brief Sets whether the outlines of a storey's rooms are found by one labelling
-   * of the cells between all its lines, not room by room. Default: false. */
-  void setLabelStoreys(bool on) { parameters_.label_storeys = on; }
-  bool getLabelStoreys() const { return parameters_.label_storeys; }
 
   /** @brief Fits the plan.
    * @param[out] plan its rooms by increasing number; empty if there are none
