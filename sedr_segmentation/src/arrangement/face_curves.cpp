@@ -16,8 +16,9 @@ namespace {
 /** @brief The choice among proposals. */
 class FaceChoice {
 public:
-  FaceChoice(const FacePlaces& places, FaceCurves proposals)
+  FaceChoice(const FacePlaces& places, const RadiusRange& radii, FaceCurves proposals)
       : places_(places)
+      , radii_(radii)
       , normals_(std::move(proposals.normals))
       , found_(std::move(proposals.curves))
   {
@@ -149,7 +150,10 @@ private:
       const Eigen::Vector2d way = face.curve.direction;
       const double length = face.to - face.from;
       const double around = 2 * M_PI * face.curve.radius;
-      face.curve = fitCurve(face.curve.isCircle(), of[c], places_.sigma);
+      const PlanCurve fitted = fitCurve(face.curve.isCircle(), of[c], places_.sigma);
+      if (!fitted.point.allFinite() || !radii_.allows(fitted, places_.sigma))
+        continue; // places nearly on a line
+      face.curve = fitted;
       if (const Eigen::Vector2d* const normal = mainNormalOf(face.curve, normals_)) {
         face.curve.direction = leftOf(*normal);
         face.is_main = true;
@@ -174,6 +178,7 @@ private:
   static constexpr double step = 0.1; ///< metres
 
   const FacePlaces& places_;
+  RadiusRange radii_;
   FaceCosts costs_;
   double stray_ = 0.1; ///< share of the places that are on no long face
   double face_ = 0;    ///< a metre that is explained, nats
@@ -187,7 +192,7 @@ FaceCurves
 faceCurves(const std::vector<Eigen::Vector2d>& given, const RadiusRange& radii)
 {
   const FacePlaces places(given);
-  return FaceChoice(places, proposeFaces(places, radii)).best();
+  return FaceChoice(places, radii, proposeFaces(places, radii)).best();
 }
 
 } // namespace pcl::sedr

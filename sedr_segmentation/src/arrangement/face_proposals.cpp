@@ -18,7 +18,6 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double max_within = 5; // metres, within a line along a main direction
 constexpr double max_hole = 0.6; // metres, within another curve
 constexpr double step = 0.1;     // metres, along curves that are remembered
 
@@ -34,7 +33,7 @@ public:
       addLines(normal);
     addChains();
     for (const FaceCurve& found : proposeIslands(places_))
-      if (!found.curve.isCircle() || isWithinRadii(found.curve))
+      if (radii_.allows(found.curve, places_.sigma))
         found_.push_back(found);
   }
 
@@ -110,7 +109,7 @@ private:
   void addLines(const Eigen::Vector2d& normal)
   {
     for (FaceCurve& line : linesAlong(places_.alongDirection(normal), normal,
-                                      {0.015, 0.025, max_within, 0.1})) {
+                                      {0.015, 0.025, max_gap, 0.1})) {
       line.is_main = true;
       found_.push_back(line);
     }
@@ -173,11 +172,6 @@ private:
     }
   }
 
-  bool isWithinRadii(const PlanCurve& circle) const
-  {
-    return circle.radius > radii_.min - 3 * places_.sigma && circle.radius < radii_.max;
-  }
-
   /** @brief Adds the curve that fits a chain, grown to its support. */
   void addGrown(bool is_circle, const std::vector<Eigen::Vector2d>& chain)
   {
@@ -185,7 +179,7 @@ private:
     FaceCurve found;
     found.curve = fitCurve(is_circle, chain, places_.sigma);
     for (int r = 0; r < rounds; ++r) {
-      if (is_circle && !isWithinRadii(found.curve))
+      if (!radii_.allows(found.curve, places_.sigma))
         return;
       const std::vector<Eigen::Vector2d> support = supportOf(found, chain.front());
       if (support.size() < 5)

@@ -14,9 +14,17 @@ namespace pcl::sedr {
 struct RadiusRange {
   double min = 0.15;
   double max = 25;
+
+  /** @brief Checks whether a curve is a line or has such a radius.
+   * @param noise of places on it, metres */
+  bool allows(const PlanCurve& curve, double noise) const
+  {
+    return !curve.isCircle() || (curve.radius > min - 3 * noise && curve.radius < max);
+  }
 };
 
 constexpr double long_face = 1; ///< metre: of a wall, not of a thing
+constexpr double max_gap = 5;   ///< metres, within a line along a main direction
 
 /** @brief The curves of faces, and the directions of most of them. */
 struct FaceCurves {

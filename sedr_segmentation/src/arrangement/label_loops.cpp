@@ -16,7 +16,7 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Numbers places; those within a micrometre are one. */
+/** @brief Numbers places; those within a hundredth of a millimetre are one. */
 class PlaceNumbers {
 public:
   std::size_t numberOf(const Eigen::Vector2d& p)
@@ -24,11 +24,13 @@ public:
     const auto x = static_cast<std::int64_t>(std::floor(p.x() / size));
     const auto y = static_cast<std::int64_t>(std::floor(p.y() / size));
     for (std::int64_t dy = -1; dy <= 1; ++dy)
-      for (std::int64_t dx = -1; dx <= 1; ++dx)
-        if (const auto found = numbers_.find({x + dx, y + dy}); found != numbers_.end())
+      for (std::int64_t dx = -1; dx <= 1; ++dx) {
+        const auto [begin, end] = numbers_.equal_range({x + dx, y + dy});
+        for (auto found = begin; found != end; ++found)
           if ((places_[found->second] - p).norm() < size)
             return found->second;
-    numbers_[{x, y}] = places_.size();
+      }
+    numbers_.emplace(std::make_pair(x, y), places_.size());
     places_.push_back(p);
     return places_.size() - 1;
   }
@@ -37,7 +39,7 @@ public:
 
 private:
   static constexpr double size = 1e-5; // metres
-  std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> numbers_;
+  std::multimap<std::pair<std::int64_t, std::int64_t>, std::size_t> numbers_;
   std::vector<Eigen::Vector2d> places_;
 };
 
@@ -127,7 +129,8 @@ elementOf(Iterator first,
   return e;
 }
 
-constexpr double apart = 0.03; // metres, of curves that nearly touch
+constexpr double apart = 0.03;     // metres, of curves that nearly touch
+constexpr double near_joint = 0.1; // metres, about where curves meet
 
 /** @brief Finds where two curves nearly touch, near a place.
  * @return whether they do */
@@ -151,10 +154,9 @@ touch(const PlanCurve& a,
 Eigen::Vector2d
 jointOf(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& near)
 {
-  constexpr double reach = 0.1; // metres
   Eigen::Vector2d joint;
   if (touch(a, b, near, joint) ||
-      (meet(a, b, near, joint) && (joint - near).norm() < reach))
+      (meet(a, b, near, joint) && (joint - near).norm() < near_joint))
     return joint;
   return (a.isCircle() ? a : b).project(near);
 }
@@ -164,7 +166,6 @@ jointOf(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& near)
 void
 closeArcs(PlanLoop& loop)
 {
-  constexpr double shortest = 0.1; // metres
   std::vector<PlanElement>& elements = loop.elements;
   const auto at = [&](std::size_t i) -> PlanElement& {
     return elements[i % elements.size()];
@@ -173,7 +174,7 @@ closeArcs(PlanLoop& loop)
     const PlanCurve before = carrierOf(at(i + elements.size() - 1));
     const PlanCurve after = carrierOf(at(i + 1));
     Eigen::Vector2d joint;
-    if (at(i).length() < shortest && touch(before, after, at(i).start, joint)) {
+    if (at(i).length() < near_joint && touch(before, after, at(i).start, joint)) {
       at(i + elements.size() - 1).end = at(i + 1).start = joint;
       elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(i--));
     }
@@ -278,15 +279,20 @@ labelLoops(const std::vector<CellBorder>& borders,
   }
   LabelLoops found;
   double largest = 0;
-  for (auto& loop : loopsOf(pieces, places)) {
+  for (const std::vector<Piece>& loop : loopsOf(pieces, places)) {
     const double area = areaOf(loop, places);
     if (area < 0)
-      found.holes.push_back(planLoop(std::move(loop), curves, places));
+      found.holes.push_back(planLoop(loop, curves, places));
     else if (area > largest) {
       largest = area;
-      found.outer = planLoop(std::move(loop), curves, places);
+      found.outer = planLoop(loop, curves, places);
     }
   }
+  const auto isOutside = [&](const PlanLoop& hole) {
+    return !found.outer.contains(hole.elements.front().start);
+  };
+  found.holes.erase(std::remove_if(found.holes.begin(), found.holes.end(), isOutside),
+                    found.holes.end());
   return found;
 }
 

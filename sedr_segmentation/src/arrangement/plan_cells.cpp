@@ -31,8 +31,11 @@ PlanCells::PlanCells(const Eigen::AlignedBox2d& box,
   nodes_[0].cell = 0;
   for (const PlanDivider& divider : dividers)
     part(0, divider);
-  for (const Cell& cell : cells_)
+  for (const Cell& cell : cells_) {
     polygons_.push_back(cell.corners);
+    is_at_edge_.push_back(std::any_of(cell.lines.begin(), cell.lines.end(),
+                                      [](auto l) { return l < 0; }));
+  }
   findBorders(cells_, dividers);
   cells_.clear();
   nodes_.clear();

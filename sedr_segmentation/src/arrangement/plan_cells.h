@@ -41,6 +41,9 @@ public:
   const std::vector<Polygon>& polygons() const { return polygons_; }
   const std::vector<CellBorder>& borders() const { return borders_; }
 
+  /** @brief Checks whether a cell is at the edge of the rectangle. */
+  bool isAtEdge(std::size_t cell) const { return is_at_edge_[cell] != 0; }
+
 private:
   struct Cell {
     Polygon corners;
@@ -65,6 +68,7 @@ private:
   std::vector<Node> nodes_;
   std::vector<Polygon> polygons_;
   std::vector<CellBorder> borders_;
+  std::vector<std::uint8_t> is_at_edge_;
 };
 
 } // namespace pcl::sedr

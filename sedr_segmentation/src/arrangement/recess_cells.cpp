@@ -40,6 +40,8 @@ public:
       , found_{CellMask(seen_.box()), CellMask(seen_.box())}
   {
     for (const std::size_t r : storey.rooms) {
+      if (overlapOf(seen_.box(), cells[r].seen.box()).count() == 0)
+        continue;
       addCells(subtract(cells[r].solid, cells[r].glass), opaque_);
       addCells(cells[r].glass, glass_);
       if (r != room)

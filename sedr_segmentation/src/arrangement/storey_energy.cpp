@@ -45,7 +45,7 @@ sharedArea(const Eigen::Vector2d& middle,
 StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
                          const StoreyEnergy& energy,
                          const StoreyLines& lines,
-                         const std::vector<PlanCells::Polygon>& polygons,
+                         const PlanCells& arrangement,
                          const std::vector<CellBorder>& borders)
     : energy_(energy)
     , certainty_(lines.certainty)
@@ -56,11 +56,11 @@ StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
                             evidence.grid,
                             evidence.max_wall))
     , label_of_(evidence.cells.size(), 0)
-    , of_cell_(polygons.size() * labels_, 0)
+    , of_cell_(arrangement.polygons().size() * labels_, 0)
 {
   for (std::size_t k = 1; k < labels_; ++k)
     label_of_[evidence.storey.rooms[k - 1]] = static_cast<int>(k);
-  addAreas(evidence, polygons);
+  addAreas(evidence, arrangement);
   for (const CellBorder& border : borders) {
     const StoreyLine& line = lines.lines[border.line];
     addFronts(evidence, line, border);
@@ -69,9 +69,10 @@ StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
 }
 
 void
-StoreyCosts::addAreas(const StoreyEvidence& evidence,
-                      const std::vector<PlanCells::Polygon>& polygons)
+StoreyCosts::addAreas(const StoreyEvidence& evidence, const PlanCells& arrangement)
 {
+  constexpr double unbounded = 1e6; // nats: no border is at the edge
+  const std::vector<PlanCells::Polygon>& polygons = arrangement.polygons();
   const CellGrid& grid = evidence.grid;
   for (std::size_t c = 0; c < polygons.size(); ++c) {
     Eigen::AlignedBox2d box;
@@ -98,8 +99,9 @@ StoreyCosts::addAreas(const StoreyEvidence& evidence,
     const double all = std::accumulate(cost_of.begin(), cost_of.end(), 0.0);
     const double unseen = std::max(0.0, signedArea(polygons[c]) - air);
     for (std::size_t k = 0; k < labels_; ++k)
-      of_cell_[c * labels_ + k] =
-          all - cost_of[k] + (k > 0 ? energy_.unseen * unseen : 0);
+      of_cell_[c * labels_ + k] = all - cost_of[k] +
+                                  (k > 0 ? energy_.unseen * unseen : 0) +
+                                  (k > 0 && arrangement.isAtEdge(c) ? unbounded : 0);
   }
 }
 

@@ -24,7 +24,8 @@ namespace pcl::sedr {
  *               + sum over borders and the rooms beside them
  *                     length x (`wall` + `off` x what was not explained of a surface
  *                       that the room saw; `partly`, `gap`, `ended` or `open` where it
- *                       saw none, see StoreyLine::Between)
+ *                       saw none, see StoreyLine::Between; `open` + `ended` on
+ *                       the face of another room, `open` off all lines in use)
  *               + sum over lines in use   parameters x `line` */
 struct StoreyEnergy {
   double seen = 40;
@@ -57,7 +58,7 @@ public:
   StoreyCosts(const StoreyEvidence& evidence,
               const StoreyEnergy& energy,
               const StoreyLines& lines,
-              const std::vector<PlanCells::Polygon>& polygons,
+              const PlanCells& arrangement,
               const std::vector<CellBorder>& borders);
 
   std::size_t labels() const { return labels_; }
@@ -80,8 +81,7 @@ private:
     std::vector<std::pair<int, double>> of_room;
   };
 
-  void addAreas(const StoreyEvidence& evidence,
-                const std::vector<PlanCells::Polygon>& polygons);
+  void addAreas(const StoreyEvidence& evidence, const PlanCells& arrangement);
   int sideOfAir(const StoreyEvidence& evidence,
                 std::uint32_t room,
                 const Eigen::Vector2d& p,

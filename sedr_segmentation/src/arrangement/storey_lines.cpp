@@ -14,10 +14,9 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double max_gap = 5; // metres, within a line
-constexpr double beyond = 4;  // metres that a line goes on,
+constexpr double beyond = 4; // metres that a line goes on past its seen ends,
 constexpr double beyond_arc = 0.2;
-constexpr double ended = 2.5;     // metres that it may do so
+constexpr double ended = 2.5;     // farthest from an end, of what counts as beyond it
 constexpr double aligned = 0.966; // cosine
 
 /** @brief A place at a surface or at the end of air, and the normal there. */
@@ -244,9 +243,10 @@ appendEnds(const RoomCells& room,
   std::vector<NormalPlace> ends;
   for (const NormalPlace& end : endsOfAir(room, grid)) {
     const auto isBeside = [&](const StoreyLine& line) {
+      if (line.is_end || line.curve.distance(end.at) > near)
+        return false;
       const double s = line.along(end.at);
-      return !line.is_end && line.curve.distance(end.at) < near &&
-             s > line.from - near && s < line.to + near &&
+      return s > line.from - near && s < line.to + near &&
              std::abs(line.curve.tangentAt(end.at).dot(end.normal)) < 0.7;
     };
     if (std::none_of(lines.begin(), lines.end(), isBeside))
@@ -296,6 +296,7 @@ appendEdges(std::vector<StoreyLine>& lines)
       edge.curve.direction = leftOf(way);
       edge.from = -reach;
       edge.to = reach;
+      edge.near = line.near;
       const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
       edge.any.assign(bins, 0);
       edge.tall = edge.any;

@@ -24,7 +24,7 @@ struct StoreyLine : FaceCurve {
 
   bool is_end = false; ///< no surface: air that was seen ends there, or a face does
   double parameters = 1;
-  double near = 0.03; ///< so far surfaces are from it
+  double near = 0.03; ///< maximum distance of its surfaces
   std::map<std::uint32_t, std::vector<float>>
       seen;                         ///< share explained, by room and bin
   std::vector<float> any;           ///< the most of them

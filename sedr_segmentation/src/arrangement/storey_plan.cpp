@@ -86,7 +86,7 @@ public:
       , borders_(borders)
       , price_(price)
       , may_use_(lines.size(), 1)
-      , uses_(lines.size(), 0)
+      , uses_(lines.size())
       , of_line_(lines.size())
       , of_cell_(costs.cells())
       , local_(costs.cells(), none)
@@ -102,19 +102,29 @@ public:
         if (costs.ofCell(c, l) < costs.ofCell(c, labels_[c]))
           labels_[c] = l;
     for (std::size_t b = 0; b < borders_.size(); ++b)
-      uses_[borders_[b].line] += isWall(b) ? 1 : 0;
+      if (isWall(b)) {
+        ++uses_[borders_[b].line].borders;
+        uses_[borders_[b].line].length += borders_[b].length();
+      }
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
     std::vector<std::size_t> all(labels_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     expand(every, all, 4);
     prune();
+    shares_prices_ = true;
     expand(every, all, 4);
   }
 
   const std::vector<int>& labels() const { return labels_; }
 
 private:
+  /** @brief The borders of a line that are walls. */
+  struct LineUse {
+    std::size_t borders = 0;
+    double length = 0; ///< metres
+  };
+
   using Changes = std::vector<std::pair<std::size_t, int>>; ///< labels of cells
 
   double borderCost(std::size_t b, int left, int right) const
@@ -129,6 +139,21 @@ private:
     return labels_[borders_[b].left] != labels_[borders_[b].right];
   }
 
+  double priceOf(std::size_t line) const { return price_ * lines_[line].parameters; }
+
+  /** @brief Returns what a border costs, with its share of the price of its line if no
+   * surface is on that: a cut sees borders, not lines, and would not leave out both
+   * ends of a recess at once. */
+  double cutCost(std::size_t b, int left, int right) const
+  {
+    const LineUse& use = uses_[borders_[b].line];
+    return left == right || use.borders == 0 || !shares_prices_ ||
+                   !lines_[borders_[b].line].is_end
+               ? borderCost(b, left, right)
+               : borderCost(b, left, right) +
+                     priceOf(borders_[b].line) * borders_[b].length() / use.length;
+  }
+
   /** @brief Sets labels. Returns by how much the energy rises. */
   double set(const Changes& changes)
   {
@@ -141,11 +166,12 @@ private:
           rise += sign * borderCost(b, labels_[border.left], labels_[border.right]);
           if (!isWall(b))
             continue;
-          std::size_t& uses = uses_[border.line];
-          const bool was_used = uses > 0;
-          uses += static_cast<std::size_t>(sign);
-          if (was_used != (uses > 0))
-            rise += sign * price_ * lines_[border.line].parameters;
+          LineUse& use = uses_[border.line];
+          const bool was_used = use.borders > 0;
+          use.borders += static_cast<std::size_t>(sign);
+          use.length = use.borders > 0 ? use.length + sign * border.length() : 0;
+          if (was_used != (use.borders > 0))
+            rise += sign * priceOf(border.line);
         }
       };
       add(-1);
@@ -200,17 +226,16 @@ private:
         const int right = labels_[border.right];
         const std::size_t other = border.left == c ? border.right : border.left;
         if (local_[other] == none) {
-          no += borderCost(b, left, right);
-          yes += border.left == c ? borderCost(b, alpha, right)
-                                  : borderCost(b, left, alpha);
+          no += cutCost(b, left, right);
+          yes += border.left == c ? cutCost(b, alpha, right) : cutCost(b, left, alpha);
           continue;
         }
         if (border.left != c)
           continue;
-        const double no_yes = borderCost(b, left, alpha);
-        const double yes_no = borderCost(b, alpha, right);
+        const double no_yes = cutCost(b, left, alpha);
+        const double yes_no = cutCost(b, alpha, right);
         // A thin part of `alpha` between two others may cost less than their border.
-        const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
+        const double no_no = std::min(cutCost(b, left, right), no_yes + yes_no);
         if (no_yes + yes_no > 0)
           cut.addPair(i, local_[other], no_no, no_yes, yes_no, 0);
       }
@@ -302,8 +327,9 @@ private:
   const std::vector<StoreyLine>& lines_;
   const std::vector<CellBorder>& borders_;
   double price_;
-  std::vector<std::uint8_t> may_use_;             ///< of each line
-  std::vector<std::size_t> uses_;                 ///< borders that are walls on it
+  bool shares_prices_ = false; ///< before lines were left out, too many are in use
+  std::vector<std::uint8_t> may_use_; ///< of each line
+  std::vector<LineUse> uses_;
   std::vector<std::vector<std::size_t>> of_line_; ///< its borders
   std::vector<std::vector<std::size_t>> of_cell_;
   std::vector<std::size_t> local_; ///< numbers of the cells of a cut
@@ -331,7 +357,7 @@ labelStorey(const StoreyEvidence& evidence,
   const PlanCells arrangement(box, dividersOf(lines, line_of));
   std::vector<CellBorder> borders = arrangement.borders();
   nameBorders(lines, line_of, borders);
-  const StoreyCosts costs(evidence, energy, found, arrangement.polygons(), borders);
+  const StoreyCosts costs(evidence, energy, found, arrangement, borders);
   const StoreyLabelling labelling(costs, lines, borders, energy.line);
   std::vector<PlanCurve> curves;
   for (const StoreyLine& line : lines)

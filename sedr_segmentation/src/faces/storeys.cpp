@@ -15,6 +15,8 @@ bool
 isOver(const RoomCells& room, const RoomCells& other, const CellGrid& grid)
 {
   constexpr double least = 1; // square metre
+  if (overlapOf(room.seen.box(), other.seen.box()).count() == 0)
+    return false;
   const CellMask both = intersect(room.seen, other.seen);
   const CellMask over = subtract(both, room.besideRoom(other, both));
   return static_cast<double>(over.count()) * grid.size() * grid.size() > least;

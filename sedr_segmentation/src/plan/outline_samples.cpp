@@ -18,14 +18,18 @@ std::vector<std::vector<double>>
 stretchDeviations(const std::vector<FittedBoundary>& boundaries)
 {
   constexpr double straight = 0.05; // metres: what is farther off is no noise
+  constexpr double along = 0.99;    // cosine
   constexpr std::size_t length = 24;
   std::vector<std::vector<double>> all;
   for (const FittedBoundary& boundary : boundaries)
-    for (std::size_t s = 0; s + length < boundary.samples.size(); s += length / 2) {
-      std::vector<Eigen::Vector2d> seen;
-      for (std::size_t k = s; k < s + length; ++k)
-        if (boundary.samples[k].isSupported())
-          seen.push_back(boundary.samples[k].position);
+    for (std::size_t s = 0; s + length <= boundary.samples.size(); s += length / 2) {
+      std::vector<Eigen::Vector2d> seen; // not around a corner
+      for (std::size_t k = s; k < s + length; ++k) {
+        const ContourSample& sample = boundary.samples[k];
+        if (sample.isSupported() &&
+            std::abs(sample.tangent.dot(boundary.samples[s].tangent)) > along)
+          seen.push_back(sample.position);
+      }
       if (seen.size() < length)
         continue;
       const PlanCurve line = fitCurve(false, seen, straight / 4);

@@ -59,7 +59,7 @@ def sample_report():
                        {"stage": "StructuralPoisson", "points_in": 4800, "points_out": 9000, "seconds": 1.5}],
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
             "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
-            "noise": [{"rooms": [1, 2], "measured": 0.0052, "sigma": 0.007, "correlation": 0.12, "spread": 0.01, "stretches": 9}],
+            "noise": [{"rooms": [1, 2], "measured": 0.0052, "correlation": 0.12, "stretches": 9}],
             "warnings": [{"kind": "stage", "room": 2, "wall": 3, "at": [5, 1], "values": [1], "text": "wall 2.3: second"},
                          {"kind": "stage", "room": 1, "wall": 0, "at": [1, 2], "values": [2], "text": "room 1: <b>a part</b>"}],
             "unlikely": [{"kind": "no_door", "room": 1, "wall": 0, "at": None, "values": [12], "text": "room 1: no door"}]}

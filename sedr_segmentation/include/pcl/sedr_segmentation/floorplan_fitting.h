@@ -21,14 +21,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A sample of the boundary of a room's cells, moved onto the wall if one was
- * seen there. */
+/** @brief A place on the outline of a room, and what was seen of the wall there. */
 struct ContourSample {
-  Eigen::Vector2d place;    ///< on the smoothed contour
-  Eigen::Vector2d position; ///< on the wall if points support one, else `place`
-  Eigen::Vector2d tangent;  ///< unit, along the contour
-  double support = 0;       ///< 1 if a wall was seen clearly, 0 if not at all
-  std::size_t points = 0;   ///< number of points that support the wall here
+  Eigen::Vector2d place; ///< on the outline
+  Eigen::Vector2d
+      position; ///< mean of the points of the wall if there are, else `place`
+  Eigen::Vector2d tangent; ///< unit, along the outline
+  double support = 0;      ///< 1 if a wall was seen clearly, 0 if not at all
+  std::size_t points = 0;  ///< number of points that support the wall here
 
   /** @brief Returns whether points support the wall here. */
   bool isSupported() const { return support > 0; }
@@ -65,11 +65,11 @@ struct PointOwner {
 struct WallNoise {
   double measured = 0;       ///< standard deviation of a place from a metre of its wall
   double correlation = 0.1;  ///< so long a piece of wall is one independent observation
-  std::size_t stretches = 0; ///< in which it was measured; 0: too few, it is assumed
+  std::size_t stretches = 0; ///< in which it was measured; 0: too few, it was not
   std::vector<std::uint32_t> rooms; ///< their numbers
 };
 
-/** @brief Boundary points to which a loop of a room was fitted (paper, Figure 7a). */
+/** @brief Boundary points along a loop of a room (paper, Figure 7a). */
 struct FittedBoundary {
   std::uint32_t room = 0;                      ///< number of the room
   StructureLabel label = StructureLabel::Wall; ///< Wall, or Column for an inner loop
@@ -189,8 +189,8 @@ public:
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
   /** @brief Sets the maximum distance of an inlier from its line or circle, metres,
-   * above 0 and at most 1. Default 0.05 (paper, Table 1). Within it, the scatter of
-   * walls is measured. */
+   * above 0 and at most 1. Default 0.05 (paper, Table 1). A surface is seen on a line
+   * within three fifths of it: the rest is left to the wall's own unevenness. */
   void setDistanceThreshold(double threshold) { parameters_.tolerance = threshold; }
   double getDistanceThreshold() const { return parameters_.tolerance; }
 
@@ -230,8 +230,7 @@ public:
    * ceilings with a part left out, and a raw cloud that could not be used. */
   const std::vector<sedr::PlanWarning>& getWarnings() const { return warnings_; }
 
-  /** @brief Returns the boundary points to which the last run fitted walls and columns,
-   * including those of rooms that could not be fitted. */
+  /** @brief Returns the boundary points along the walls and columns of the last run. */
   const std::vector<sedr::FittedBoundary>& getBoundaries() const { return boundaries_; }
 
   /** @brief Returns the noise of the walls in the last run, storey by storey. */
