@@ -144,6 +144,23 @@ TEST(FaceCurves, LinesTurnedIntoAMainDirectionKeepTheirEnds)
       EXPECT_LT(room.distance(face.at(s)), 0.06) << face.from << " to " << face.to;
 }
 
+TEST(FaceCurves, OfExactPlacesHaveRadiiThatMayBe)
+{
+  // Chords of a circle, and lines, without any noise.
+  for (const double length : {0.1, 0.2, 0.4}) {
+    std::vector<Eigen::Vector2d> places = placesOn({rectangle(0, 0, 6, 5)}, 0);
+    for (double s = 0; s < length; s += 0.01) {
+      places.emplace_back(2 + s, 2);
+      places.emplace_back(4 + s, 3 + s * s / 2);
+    }
+    for (const FaceCurve& face : pcl::sedr::faceCurves(places).curves) {
+      EXPECT_TRUE(face.curve.point.allFinite());
+      EXPECT_LT(face.curve.radius, 25);
+      EXPECT_LT(face.to - face.from, 2 * M_PI * 25);
+    }
+  }
+}
+
 TEST(FaceCurves, AreNoneWithoutPlaces)
 {
   EXPECT_TRUE(pcl::sedr::faceCurves({}).curves.empty());

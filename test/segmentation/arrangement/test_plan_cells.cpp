@@ -32,6 +32,20 @@ areaOf(const PlanCells::Polygon& polygon)
 
 const Eigen::AlignedBox2d square(Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 10));
 
+TEST(PlanCells, AreAtTheEdgeUnlessDividersAreAround)
+{
+  std::vector<PlanDivider> dividers;
+  for (const double at : {3.0, 7.0}) {
+    const auto k = static_cast<std::uint32_t>(dividers.size());
+    dividers.push_back({{at, 0}, {at, 10}, k});
+    dividers.push_back({{0, at}, {10, at}, k + 1});
+  }
+  const PlanCells cells(square, dividers);
+  ASSERT_EQ(cells.polygons().size(), 9U);
+  for (std::size_t c = 0; c < 9; ++c)
+    EXPECT_EQ(cells.isAtEdge(c), std::abs(areaOf(cells.polygons()[c]) - 16) > 1e-9);
+}
+
 TEST(PlanCells, AreTheWholeBoxWithoutDividers)
 {
   const PlanCells cells(square, {});
