@@ -200,6 +200,16 @@ unite(const CellMask& a, const CellMask& b)
   return combined(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
 }
 
+void
+addCells(const CellMask& mask, CellMask& sum)
+{
+  const CellBox shared = overlapOf(sum.box(), mask.box());
+  for (int y = shared.low.y; y <= shared.high.y; ++y)
+    for (int x = shared.low.x; x <= shared.high.x; ++x)
+      if (mask.at({x, y}))
+        sum.set({x, y}, 1);
+}
+
 CellMask
 subtract(const CellMask& a, const CellMask& b)
 {

@@ -3,6 +3,7 @@
 
 #include "../curves/fitted_curve.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,13 @@ namespace {
 /** @brief The choice among proposals. */
 class FaceChoice {
 public:
-  FaceChoice(const FacePlaces& places, const RadiusRange& radii, FaceCurves proposals)
+  FaceChoice(const FacePlaces& places,
+             const RadiusRange& radii,
+             FaceCurves proposals,
+             unsigned threads)
       : places_(places)
       , radii_(radii)
+      , threads_(threads)
       , normals_(std::move(proposals.normals))
       , found_(std::move(proposals.curves))
   {
@@ -38,11 +43,13 @@ public:
   }
 
 private:
-  /** @brief Returns the places that a curve explains, and how well. */
-  std::vector<std::pair<std::uint32_t, float>> explainedBy(const FaceCurve& found) const
+  using Explained = std::vector<std::pair<std::uint32_t, float>>; ///< place, how well
+
+  /** @brief Returns the places that a curve explains. */
+  Explained explainedBy(const FaceCurve& found) const
   {
     const double near = std::max(std::min(costs_.reach, stray_), 8 * places_.sigma);
-    std::vector<std::pair<std::uint32_t, float>> explained;
+    Explained explained;
     const auto steps =
         static_cast<std::size_t>(std::ceil((found.to - found.from) / step)) + 1;
     for (std::size_t k = 0; k < steps; ++k)
@@ -63,17 +70,27 @@ private:
     return explained;
   }
 
+  /** @brief Returns what each curve explains that is longer than some metres. */
+  std::vector<Explained> explainedByEach(double min_length) const
+  {
+    std::vector<Explained> of(found_.size());
+    parallelBlocks(found_.size(), 1, threads_, [&](std::size_t c, std::size_t) {
+      if (found_[c].to - found_[c].from > min_length)
+        of[c] = explainedBy(found_[c]);
+    });
+    return of;
+  }
+
   /** @brief Measures how many places are on no long face: in a room without furniture
    * they are a column's, in others mostly not structure. By that follows what a metre
    * of face costs that no curve explains. */
   void measureFaces()
   {
     std::vector<std::uint8_t> is_on(places_.places.size(), 0);
-    for (const FaceCurve& found : found_)
-      if (found.to - found.from > long_face)
-        for (const auto& [i, share] : explainedBy(found))
-          if (share > 0.9F)
-            is_on[i] = 1;
+    for (const Explained& explained : explainedByEach(long_face))
+      for (const auto& [i, share] : explained)
+        if (share > 0.9F)
+          is_on[i] = 1;
     double all = 1e-9;
     double beside = 0;
     for (std::size_t i = 0; i < places_.places.size(); ++i) {
@@ -91,7 +108,7 @@ private:
   void keepBest()
   {
     std::vector<float> explained(places_.places.size(), 0);
-    std::vector<std::vector<std::pair<std::uint32_t, float>>> of(found_.size());
+    std::vector<Explained> of = explainedByEach(0);
     std::priority_queue<std::pair<double, std::size_t>> queue;
     const auto gainOf = [&](std::size_t c) {
       double gain = 0;
@@ -99,11 +116,10 @@ private:
         gain += std::max(0.F, share - explained[i]) * places_.places[i].length;
       return face_ * gain - costOf(found_[c]);
     };
-    for (std::size_t c = 0; c < found_.size(); ++c) {
-      of[c] = explainedBy(found_[c]);
+    for (std::size_t c = 0; c < found_.size(); ++c)
       queue.emplace(gainOf(c), c);
-    }
     std::vector<FaceCurve> kept;
+    explained_.clear();
     while (!queue.empty()) {
       const auto [gain, c] = queue.top();
       queue.pop();
@@ -117,6 +133,7 @@ private:
       for (const auto& [i, share] : of[c])
         explained[i] = std::max(explained[i], share);
       kept.push_back(found_[c]);
+      explained_.push_back(std::move(of[c]));
     }
     found_ = std::move(kept);
   }
@@ -126,7 +143,7 @@ private:
   {
     std::vector<std::pair<float, std::size_t>> best(places_.places.size(), {0.F, 0});
     for (std::size_t c = 0; c < found_.size(); ++c)
-      for (const auto& [i, share] : explainedBy(found_[c]))
+      for (const auto& [i, share] : explained_[c])
         if (share > best[i].first)
           best[i] = {share, c};
     std::vector<std::vector<Eigen::Vector2d>> of(found_.size());
@@ -179,20 +196,25 @@ private:
 
   const FacePlaces& places_;
   RadiusRange radii_;
+  unsigned threads_;
   FaceCosts costs_;
   double stray_ = 0.1; ///< share of the places that are on no long face
   double face_ = 0;    ///< a metre that is explained, nats
   std::vector<Eigen::Vector2d> normals_;
   std::vector<FaceCurve> found_;
+  std::vector<Explained> explained_; ///< by each curve that was kept
 };
 
 } // namespace
 
 FaceCurves
-faceCurves(const std::vector<Eigen::Vector2d>& given, const RadiusRange& radii)
+faceCurves(const std::vector<Eigen::Vector2d>& given,
+           const RadiusRange& radii,
+           unsigned threads)
 {
-  const FacePlaces places(given);
-  return FaceChoice(places, radii, proposeFaces(places, radii)).best();
+  const FacePlaces places(given, threads);
+  return FaceChoice(places, radii, proposeFaces(places, radii, threads), threads)
+      .best();
 }
 
 } // namespace pcl::sedr

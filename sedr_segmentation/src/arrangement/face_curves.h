@@ -33,6 +33,7 @@ struct FaceCosts {
  * kept that explain what no better one does, by more than their parameters cost
  * (greedily: what is explained is submodular). O(places x curves near them). */
 FaceCurves faceCurves(const std::vector<Eigen::Vector2d>& places,
-                      const RadiusRange& radii = {});
+                      const RadiusRange& radii = {},
+                      unsigned threads = 1);
 
 } // namespace pcl::sedr

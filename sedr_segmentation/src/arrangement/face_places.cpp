@@ -4,6 +4,7 @@
 #include "../curves/place_sums.h"
 #include "face_lines.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,7 @@ localNormal(const std::vector<Eigen::Vector2d>& around, double radius, double st
 
 } // namespace
 
-FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
+FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given, unsigned threads)
     : points(given, reach)
 {
   std::map<std::pair<long, long>, double> counts;
@@ -103,24 +104,29 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given)
   scale = std::max(1.0, spacingOf(points) / FaceCurve::bin);
   const double beside = 0.06 * scale; // metres
   strip = halfWidth(points, reach * scale);
-  std::vector<Eigen::Vector2d> around;
-  for (const Eigen::Vector2d& p : points.all()) {
-    around.clear();
-    points.forEachWithin(p, reach * scale,
-                         [&](const Eigen::Vector2d& q) { around.emplace_back(q - p); });
-    FacePlace place{p, localNormal(around, reach * scale, strip),
-                    scale * FaceCurve::bin / counts[cellOf(p)]};
-    double n = 0;
-    double offset = 0;
-    for (const Eigen::Vector2d& d : around)
-      if (std::abs(leftOf(place.normal).dot(d)) < beside &&
-          std::abs(place.normal.dot(d)) < strip) {
-        ++n;
-        offset += place.normal.dot(d);
-      }
-    place.at += offset / n * place.normal;
-    places.push_back(place);
-  }
+  places.resize(points.size());
+  parallelBlocks(places.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Eigen::Vector2d> around;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector2d& p = points.all()[i];
+      around.clear();
+      points.forEachWithin(p, reach * scale, [&](const Eigen::Vector2d& q) {
+        around.emplace_back(q - p);
+      });
+      FacePlace& place = places[i];
+      place = {p, localNormal(around, reach * scale, strip),
+               scale * FaceCurve::bin / counts.at(cellOf(p))};
+      double n = 0;
+      double offset = 0;
+      for (const Eigen::Vector2d& d : around)
+        if (std::abs(leftOf(place.normal).dot(d)) < beside &&
+            std::abs(place.normal.dot(d)) < strip) {
+          ++n;
+          offset += place.normal.dot(d);
+        }
+      place.at += offset / n * place.normal;
+    }
+  });
   std::vector<double> scatter;
   for (const FacePlace& place : places) {
     double n = 0;

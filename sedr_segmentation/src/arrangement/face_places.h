@@ -21,7 +21,7 @@ struct FacePlace {
 struct FacePlaces {
   /** @brief Finds the normal of each place, and moves it to the mean of those beside it
    * along the face. O(n log n). */
-  explicit FacePlaces(const std::vector<Eigen::Vector2d>& given);
+  FacePlaces(const std::vector<Eigen::Vector2d>& given, unsigned threads);
 
   /** @brief Returns the places with others beside them along a direction, so that they
    * may be on a face there: offset, along. */

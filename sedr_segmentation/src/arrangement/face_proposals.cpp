@@ -4,6 +4,7 @@
 #include "../curves/fitted_curve.h"
 #include "island_proposals.h"
 #include "main_angles.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/priors.h>
 
@@ -24,9 +25,10 @@ constexpr double step = 0.1;     // metres, along curves that are remembered
 /** @brief The proposals, as they are found. */
 class FaceProposal {
 public:
-  FaceProposal(const FacePlaces& places, const RadiusRange& radii)
+  FaceProposal(const FacePlaces& places, const RadiusRange& radii, unsigned threads)
       : places_(places)
       , radii_(radii)
+      , threads_(threads)
   {
     findMainDirections();
     for (const Eigen::Vector2d& normal : normals_)
@@ -78,17 +80,27 @@ private:
     double half = 0;
     for (const double angle : {axis, axis + M_PI / 2}) {
       const std::size_t first = found_.size();
-      addLines({std::cos(angle), std::sin(angle)});
+      const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
+      addLines(normal);
+      std::vector<std::pair<double, std::size_t>> places; // by offset
+      for (std::size_t i = 0; i < places_.places.size(); ++i)
+        places.emplace_back(normal.dot(places_.places[i].at), i);
+      std::sort(places.begin(), places.end());
       for (std::size_t k = first; k < found_.size(); ++k) {
         const FaceCurve& line = found_[k];
         if (line.to - line.from < long_face)
           continue;
         std::vector<Eigen::Vector2d> on;
-        for (const FacePlace& place : places_.places)
+        const double offset = normal.dot(line.curve.point);
+        for (auto of = std::lower_bound(places.begin(), places.end(),
+                                        std::make_pair(offset - near, std::size_t{0}));
+             of != places.end() && of->first < offset + near; ++of) {
+          const FacePlace& place = places_.places[of->second];
           if (const double s = line.along(place.at);
-              s >= line.from && s <= line.to && line.curve.distance(place.at) < near &&
+              s >= line.from && s <= line.to &&
               std::abs(line.curve.direction.dot(place.normal)) < 0.05)
             on.push_back(place.at);
+        }
         if (on.size() < 10)
           continue;
         const Eigen::Vector2d way = fitCurve(false, on, places_.sigma).direction;
@@ -147,33 +159,53 @@ private:
     return chain;
   }
 
+  /** @brief Adds what fits chains, one from each 10 cm of faces. */
   void addChains()
   {
-    constexpr double seeds = 0.1; // metres apart
+    constexpr double apart = 0.1; // metres
     std::set<std::pair<long, long>> taken;
-    for (std::size_t c = 0; c < found_.size(); ++c)
-      remember(c);
+    std::vector<std::size_t> seeds;
     for (std::size_t i = 0; i < places_.places.size(); ++i) {
       const FacePlace& place = places_.places[i];
-      if (place.normal.isZero() || !taken
-                                        .insert({std::lround(place.at.x() / seeds),
-                                                 std::lround(place.at.y() / seeds)})
+      if (!place.normal.isZero() && taken
+                                        .insert({std::lround(place.at.x() / apart),
+                                                 std::lround(place.at.y() / apart)})
                                         .second)
-        continue;
-      for (const double half : {0.3, 0.6, 1.2}) {
-        const std::vector<Eigen::Vector2d> chain = chainFrom(i, half);
-        if (static_cast<double>(chain.size()) * FaceCurve::bin * places_.scale < half)
-          break;
-        if (!mainNormalOf(fitCurve(false, chain, places_.sigma), normals_))
-          addGrown(false, chain);
-        if (chain.size() > 4)
-          addGrown(true, chain);
-      }
+        seeds.push_back(i);
     }
+    std::vector<std::vector<FaceCurve>> grown(seeds.size());
+    parallelBlocks(seeds.size(), 1, threads_,
+                   [&](std::size_t k, std::size_t) { grown[k] = grownFrom(seeds[k]); });
+    for (std::size_t c = 0; c < found_.size(); ++c)
+      remember(c);
+    for (const std::vector<FaceCurve>& curves : grown)
+      for (const FaceCurve& curve : curves)
+        if (!isKnown(curve)) {
+          found_.push_back(curve);
+          remember(found_.size() - 1);
+        }
+  }
+
+  /** @brief Returns the lines and circles through chains from a place. */
+  std::vector<FaceCurve> grownFrom(std::size_t seed) const
+  {
+    std::vector<FaceCurve> grown;
+    for (const double half : {0.3, 0.6, 1.2}) {
+      const std::vector<Eigen::Vector2d> chain = chainFrom(seed, half);
+      if (static_cast<double>(chain.size()) * FaceCurve::bin * places_.scale < half)
+        break;
+      if (!mainNormalOf(fitCurve(false, chain, places_.sigma), normals_))
+        addGrown(false, chain, grown);
+      if (chain.size() > 4)
+        addGrown(true, chain, grown);
+    }
+    return grown;
   }
 
   /** @brief Adds the curve that fits a chain, grown to its support. */
-  void addGrown(bool is_circle, const std::vector<Eigen::Vector2d>& chain)
+  void addGrown(bool is_circle,
+                const std::vector<Eigen::Vector2d>& chain,
+                std::vector<FaceCurve>& grown) const
   {
     constexpr int rounds = 3;
     FaceCurve found;
@@ -187,10 +219,8 @@ private:
       if (r + 1 < rounds)
         found.curve = fitCurve(is_circle, support, places_.sigma);
     }
-    if (found.to - found.from < 0.3 || isKnown(found))
-      return;
-    found_.push_back(found);
-    remember(found_.size() - 1);
+    if (found.to - found.from >= 0.3)
+      grown.push_back(found);
   }
 
   /** @brief Returns the places on a curve that hang together with one; sets its ends.
@@ -275,6 +305,7 @@ private:
 
   const FacePlaces& places_;
   RadiusRange radii_;
+  unsigned threads_;
   std::vector<Eigen::Vector2d> normals_;
   std::vector<FaceCurve> found_;
   CellGrid cells_{2 * step};
@@ -295,9 +326,9 @@ mainNormalOf(const PlanCurve& curve, const std::vector<Eigen::Vector2d>& normals
 }
 
 FaceCurves
-proposeFaces(const FacePlaces& places, const RadiusRange& radii)
+proposeFaces(const FacePlaces& places, const RadiusRange& radii, unsigned threads)
 {
-  return FaceProposal(places, radii).found();
+  return FaceProposal(places, radii, threads).found();
 }
 
 } // namespace pcl::sedr

@@ -36,7 +36,8 @@ struct FaceCurves {
 /** @brief Proposes lines and circles: peaks of the offsets along main directions, and
  * what is fitted to chains of neighbouring places with steady normals, each grown as
  * far as places go on. O(places x curves near them). */
-FaceCurves proposeFaces(const FacePlaces& places, const RadiusRange& radii);
+FaceCurves
+proposeFaces(const FacePlaces& places, const RadiusRange& radii, unsigned threads);
 
 /** @brief Returns the normal of the main direction that a line is along, or null. */
 const Eigen::Vector2d* mainNormalOf(const PlanCurve& curve,

@@ -11,17 +11,6 @@ closed(const CellMask& mask, double radius)
   return eroded(dilated(mask, radius), radius);
 }
 
-/** @brief Adds the cells of a mask that lie in the box of another. */
-void
-addCells(const CellMask& mask, CellMask& sum)
-{
-  const CellBox shared = overlapOf(sum.box(), mask.box());
-  for (int y = shared.low.y; y <= shared.high.y; ++y)
-    for (int x = shared.low.x; x <= shared.high.x; ++x)
-      if (mask.at({x, y}))
-        sum.set({x, y}, 1);
-}
-
 /** @brief Looks behind lines for one room, by steps outwards. */
 class RecessSearch {
 public:
@@ -53,6 +42,10 @@ public:
 
   void lookBehind(const StoreyLine& line)
   {
+    const Eigen::AlignedBox2d box(grid_.centre(seen_.box().low),
+                                  grid_.centre(seen_.box().high));
+    if (line.is_end || !line.box().intersects(box))
+      return;
     for (std::size_t i = 0; i < line.any.size(); ++i) {
       if (line.tall[i] > 0 || line.between[i] > StoreyLine::Between::Gap)
         continue;
@@ -130,8 +123,7 @@ recessCells(const Storey& storey,
   for (const std::size_t r : storey.rooms) {
     RecessSearch search(storey, cells, r, grid, max_depth);
     for (const StoreyLine& line : lines)
-      if (!line.is_end)
-        search.lookBehind(line);
+      search.lookBehind(line);
     found[r] = std::move(search).found();
   }
   return found;

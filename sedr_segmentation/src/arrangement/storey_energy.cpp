@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl::sedr {
 
@@ -42,6 +41,24 @@ sharedArea(const Eigen::Vector2d& middle,
 
 } // namespace
 
+double
+StoreyCosts::CellCost::ofRoom(int label) const
+{
+  double cost = none + unseen;
+  for (const auto& [of, more] : of_room)
+    cost += of == label ? more : 0;
+  return cost;
+}
+
+double&
+StoreyCosts::CellCost::moreOf(int label)
+{
+  for (auto& [of, more] : of_room)
+    if (of == label)
+      return more;
+  return of_room.emplace_back(label, 0).second;
+}
+
 StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
                          const StoreyEnergy& energy,
                          const StoreyLines& lines,
@@ -49,16 +66,16 @@ StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
                          const std::vector<CellBorder>& borders)
     : energy_(energy)
     , certainty_(lines.certainty)
-    , labels_(evidence.storey.rooms.size() + 1)
     , recesses_(recessCells(evidence.storey,
                             evidence.cells,
                             lines.lines,
                             evidence.grid,
                             evidence.max_wall))
     , label_of_(evidence.cells.size(), 0)
-    , of_cell_(arrangement.polygons().size() * labels_, 0)
+    , of_cell_(arrangement.polygons().size())
+    , near_(evidence.storey.rooms.size() + 1)
 {
-  for (std::size_t k = 1; k < labels_; ++k)
+  for (std::size_t k = 1; k < labels(); ++k)
     label_of_[evidence.storey.rooms[k - 1]] = static_cast<int>(k);
   addAreas(evidence, arrangement);
   for (const CellBorder& border : borders) {
@@ -72,36 +89,47 @@ void
 StoreyCosts::addAreas(const StoreyEvidence& evidence, const PlanCells& arrangement)
 {
   constexpr double unbounded = 1e6; // nats: no border is at the edge
-  const std::vector<PlanCells::Polygon>& polygons = arrangement.polygons();
   const CellGrid& grid = evidence.grid;
-  for (std::size_t c = 0; c < polygons.size(); ++c) {
+  for (std::size_t c = 0; c < cells(); ++c) {
+    const PlanCells::Polygon& polygon = arrangement.polygons()[c];
     Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& p : polygons[c])
+    for (const Eigen::Vector2d& p : polygon)
       box.extend(p);
-    const Cell low = grid.at(box.min().x(), box.min().y());
-    const Cell high = grid.at(box.max().x(), box.max().y());
-    std::vector<double> cost_of(labels_, 0); // if it is not the room's
-    double air = 0;                          // of any room, also in recesses
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x) {
-        double area = 0;
-        for (std::size_t k = 1; k < labels_; ++k) {
-          const std::size_t r = evidence.storey.rooms[k - 1];
-          if (!evidence.cells[r].seen.at({x, y}))
+    const CellBox cells_of{grid.at(box.min().x(), box.min().y()),
+                           grid.at(box.max().x(), box.max().y())};
+    CellCost& cost = of_cell_[c];
+    std::vector<std::size_t> before; // rooms
+    double air = 0;                  // of any room, also in recesses
+    near_[0].push_back(c);
+    for (std::size_t k = 1; k < labels(); ++k) {
+      const std::size_t r = evidence.storey.rooms[k - 1];
+      const CellMask& seen = evidence.cells[r].seen;
+      const CellBox part = overlapOf(seen.box(), cells_of);
+      if (part.count() == 0)
+        continue;
+      near_[k].push_back(c);
+      double other = 0; // what it costs if the cell is not the room's
+      for (int y = part.low.y; y <= part.high.y; ++y)
+        for (int x = part.low.x; x <= part.high.x; ++x) {
+          if (!seen.at({x, y}))
             continue;
-          if (!(area > 0))
-            air += area = sharedArea(grid.centre({x, y}), grid.size(), polygons[c]);
+          const double area = sharedArea(grid.centre({x, y}), grid.size(), polygon);
+          if (std::none_of(before.begin(), before.end(), [&](std::size_t b) {
+                return evidence.cells[b].seen.at({x, y}) != 0;
+              }))
+            air += area;
           if (!recesses_[r].open.at({x, y}))
-            cost_of[k] +=
+            other +=
                 area * (recesses_[r].closed.at({x, y}) ? energy_.niche : energy_.seen);
         }
+      before.push_back(r);
+      if (other > 0) {
+        cost.none += other;
+        cost.moreOf(static_cast<int>(k)) -= other;
       }
-    const double all = std::accumulate(cost_of.begin(), cost_of.end(), 0.0);
-    const double unseen = std::max(0.0, signedArea(polygons[c]) - air);
-    for (std::size_t k = 0; k < labels_; ++k)
-      of_cell_[c * labels_ + k] = all - cost_of[k] +
-                                  (k > 0 ? energy_.unseen * unseen : 0) +
-                                  (k > 0 && arrangement.isAtEdge(c) ? unbounded : 0);
+    }
+    cost.unseen = energy_.unseen * std::max(0.0, signedArea(polygon) - air) +
+                  (arrangement.isAtEdge(c) ? unbounded : 0);
   }
 }
 
@@ -163,12 +191,11 @@ StoreyCosts::addFronts(const StoreyEvidence& evidence,
       if (side == 0)
         continue;
       const bool on_left = side > 0;
-      const auto r = static_cast<std::size_t>(label_of_[room]);
       const double cost = certainty_ * static_cast<double>(seen[i]) * length;
-      double* const front = &of_cell_[(on_left ? border.left : border.right) * labels_];
-      for (std::size_t l = 0; l < labels_; ++l)
-        front[l] += l == r ? 0 : cost;
-      of_cell_[(on_left ? border.right : border.left) * labels_ + r] += cost;
+      CellCost& front = of_cell_[on_left ? border.left : border.right];
+      front.none += cost;
+      front.moreOf(label_of_[room]) -= cost;
+      of_cell_[on_left ? border.right : border.left].moreOf(label_of_[room]) += cost;
     }
   }
 }

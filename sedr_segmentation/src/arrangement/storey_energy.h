@@ -40,16 +40,6 @@ struct StoreyEnergy {
   double line = 2.5;
 };
 
-/** @brief The rooms of a storey and what is known of them. */
-struct StoreyEvidence {
-  const Storey& storey;
-  const std::vector<RoomCells>& cells;
-  const CellGrid& grid;
-  double max_wall = 0.6; ///< thickness, metres
-  double near = 0.03;    ///< distance of surfaces from their line, metres
-  RadiusRange radii;     ///< of arcs
-};
-
 /** @brief What labels of cells and borders between them cost. Label 0 is none, label
  * k > 0 the k-th room of the storey. */
 class StoreyCosts {
@@ -61,12 +51,18 @@ public:
               const PlanCells& arrangement,
               const std::vector<CellBorder>& borders);
 
-  std::size_t labels() const { return labels_; }
-  std::size_t cells() const { return of_cell_.size() / labels_; }
+  std::size_t labels() const { return near_.size(); }
+  std::size_t cells() const { return of_cell_.size(); }
 
   double ofCell(std::size_t cell, int label) const
   {
-    return of_cell_[cell * labels_ + static_cast<std::size_t>(label)];
+    return label == 0 ? of_cell_[cell].none : of_cell_[cell].ofRoom(label);
+  }
+
+  /** @brief Returns the cells that a label may have: those in the box of its room. */
+  const std::vector<std::size_t>& cellsNear(int label) const
+  {
+    return near_[static_cast<std::size_t>(label)];
   }
 
   /** @brief Returns what a border between two labels costs.
@@ -74,6 +70,16 @@ public:
   double ofBorder(std::size_t border, int left, int right, bool in_use) const;
 
 private:
+  /** @brief What a cell costs: as none, and how much more as a room's. */
+  struct CellCost {
+    double none = 0;
+    double unseen = 0;                           ///< more, of any room
+    std::vector<std::pair<int, double>> of_room; ///< and more, of those that saw it
+
+    double ofRoom(int label) const;
+    double& moreOf(int label);
+  };
+
   /** @brief What a border costs by the rooms that saw its surface. */
   struct BorderCost {
     double open = 0;  ///< without its line
@@ -92,11 +98,11 @@ private:
   BorderCost costOf(const StoreyLine& line, const CellBorder& border) const;
 
   StoreyEnergy energy_;
-  double certainty_; ///< of surfaces
-  std::size_t labels_;
+  double certainty_;                  ///< of surfaces
   std::vector<RecessCells> recesses_; ///< by room
   std::vector<int> label_of_;         ///< of each room
-  std::vector<double> of_cell_;
+  std::vector<CellCost> of_cell_;
+  std::vector<std::vector<std::size_t>> near_; ///< cells, by label
   std::vector<BorderCost> of_border_;
 };
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_lines.h"
 
-#include <pcl/sedr_filters/priors.h>
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -16,7 +14,6 @@ namespace {
 
 constexpr double beyond = 4; // metres that a line goes on past its seen ends,
 constexpr double beyond_arc = 0.2;
-constexpr double ended = 2.5;     // farthest from an end, of what counts as beyond it
 constexpr double aligned = 0.966; // cosine
 
 /** @brief A place at a surface or at the end of air, and the normal there. */
@@ -51,186 +48,6 @@ endsOfAir(const RoomCells& room, const CellGrid& grid)
   return ends;
 }
 
-/** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
-void
-clean(std::vector<float>& bins)
-{
-  constexpr std::ptrdiff_t hole = 4;
-  constexpr std::ptrdiff_t shortest = 3;
-  for (const bool is_hole : {true, false})
-    for (auto first = bins.begin(); first != bins.end();) {
-      const bool is_seen = *first > 0;
-      const auto last =
-          std::find_if(first, bins.end(), [&](float v) { return (v > 0) != is_seen; });
-      if (is_hole && !is_seen && last - first <= hole && first != bins.begin() &&
-          last != bins.end())
-        std::fill(first, last, std::min(*std::prev(first), *last));
-      if (!is_hole && is_seen && last - first < shortest)
-        std::fill(first, last, 0.F);
-      first = last;
-    }
-}
-
-/** @brief Checks whether a cell of a room has an opaque surface up to the ceiling, or
- * up to a beam. */
-bool
-isOpaque(const RoomCells& room, Cell cell)
-{
-  return (room.solid.at(cell) && !room.glass.at(cell)) || room.pillar.at(cell);
-}
-
-/** @brief Checks whether a cell of a room has a surface below a window or above it. */
-bool
-isPart(const RoomCells& room, Cell cell)
-{
-  return room.base.at(cell) || room.riser.at(cell) || room.glass.at(cell);
-}
-
-/** @brief Checks whether a room has cells of a kind at a place. */
-template <typename Is>
-bool
-isNear(const std::vector<std::size_t>& rooms,
-       const std::vector<RoomCells>& cells,
-       Cell cell,
-       Is is)
-{
-  for (const std::size_t r : rooms)
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x)
-        if (is(cells[r], {cell.x + x, cell.y + y}))
-          return true;
-  return false;
-}
-
-/** @brief Returns where along a line another one meets it whose surface reaches up to
- * the ceiling there or not far away, as in a hidden corner. */
-std::vector<double>
-crossingsOf(const StoreyLine& line, const StoreyLine& other)
-{
-  constexpr double reach = 2;      // metres
-  constexpr double parallel = 0.7; // cosine
-  std::vector<double> crossings;
-  for (const Eigen::Vector2d& p : intersections(line.curve, other.curve)) {
-    const double s = line.along(p);
-    const double t = other.along(p);
-    if (s < line.from || s >= line.to || t < other.from || t >= other.to ||
-        std::abs(line.curve.tangentAt(p).dot(other.curve.tangentAt(p))) > parallel)
-      continue;
-    const auto first = other.tall.begin();
-    const auto bin = [&](double at) {
-      return first +
-             static_cast<std::ptrdiff_t>(
-                 (std::clamp(at, other.from, other.to) - other.from) / StoreyLine::bin);
-    };
-    if (std::any_of(bin(t - reach), bin(t + reach) + 1, [](float v) { return v > 0; }))
-      crossings.push_back(s);
-  }
-  return crossings;
-}
-
-/** @brief Finds where each room saw the surface of a line. */
-void
-observe(const Storey& storey,
-        const std::vector<RoomCells>& cells,
-        const CellGrid& grid,
-        StoreyLine& line)
-{
-  const auto bins =
-      static_cast<std::size_t>(std::ceil((line.to - line.from) / StoreyLine::bin)) + 1;
-  line.any.assign(bins, 0);
-  std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
-  for (const std::size_t r : storey.rooms) {
-    std::vector<float> seen(bins, 0);
-    for (const Eigen::Vector2d& p : cells[r].wall_points) {
-      const double d = line.curve.distance(p) / line.near;
-      const double s = d < 1 ? line.along(p) : line.to + 1;
-      if (s < line.from || s > line.to)
-        continue;
-      const auto i = static_cast<std::size_t>((s - line.from) / StoreyLine::bin);
-      seen[i] = std::max(seen[i], static_cast<float>(1 - d * d));
-      ends[i] = {std::min(ends[i].first, s), std::max(ends[i].second, s)};
-    }
-    clean(seen);
-    for (std::size_t i = 0; i < bins; ++i)
-      line.any[i] = std::max(line.any[i], seen[i]);
-    if (std::any_of(seen.begin(), seen.end(), [](float v) { return v > 0; }))
-      line.seen.emplace(static_cast<std::uint32_t>(r), std::move(seen));
-  }
-  for (std::size_t i = 0; i < bins; ++i) {
-    if (line.any[i] > 0 && (i == 0 || !(line.any[i - 1] > 0)))
-      line.edges.push_back(ends[i].first - StoreyLine::bin / 2);
-    if (line.any[i] > 0 && (i + 1 == bins || !(line.any[i + 1] > 0)))
-      line.edges.push_back(ends[i].second + StoreyLine::bin / 2);
-  }
-  const auto cellOf = [&](std::size_t i) {
-    const Eigen::Vector2d p =
-        line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
-    return grid.at(p.x(), p.y());
-  };
-  line.tall = line.any;
-  for (std::size_t i = 0; i < bins; ++i)
-    if (line.tall[i] > 0 && !isNear(storey.rooms, cells, cellOf(i), isOpaque))
-      line.tall[i] = 0;
-  clean(line.tall);
-}
-
-/** @brief Returns the way back, or on, to the next bin of a kind, metres. */
-template <typename Is>
-std::vector<double>
-waysTo(std::size_t bins, bool back, Is is)
-{
-  std::vector<double> ways(bins);
-  double way = 1e6;
-  for (std::size_t k = 0; k < bins; ++k) {
-    const std::size_t i = back ? k : bins - 1 - k;
-    ways[i] = way = is(i) ? 0 : way + StoreyLine::bin;
-  }
-  return ways;
-}
-
-/** @brief Finds what is on a line where no surface reaches up to the ceiling.
- * @param lines with their surfaces */
-void
-findBetween(const Storey& storey,
-            const std::vector<RoomCells>& cells,
-            const CellGrid& grid,
-            const std::vector<StoreyLine>& lines,
-            StoreyLine& line)
-{
-  const std::size_t bins = line.tall.size();
-  const auto cellOf = [&](std::size_t i) {
-    const Eigen::Vector2d p =
-        line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
-    return grid.at(p.x(), p.y());
-  };
-  std::vector<std::uint8_t> is_end(bins, 0);
-  for (std::size_t i = 0; i < bins; ++i)
-    is_end[i] = line.tall[i] > 0;
-  for (const StoreyLine& other : lines)
-    for (const double s : crossingsOf(line, other))
-      is_end[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)] = 1;
-  const auto isTall = [&](std::size_t i) { return line.tall[i] > 0; };
-  const auto isEnd = [&](std::size_t i) { return is_end[i] != 0; };
-  const std::vector<double> since = waysTo(bins, true, isTall);
-  const std::vector<double> until = waysTo(bins, false, isTall);
-  const std::vector<double> since_end = waysTo(bins, true, isEnd);
-  const std::vector<double> until_end = waysTo(bins, false, isEnd);
-  line.between.assign(bins, StoreyLine::Between::Nothing);
-  for (std::size_t i = 0; i < bins; ++i) {
-    const bool in_gap = since[i] + until[i] < max_gap;
-    const bool before_corner =
-        std::min(since[i] + until_end[i], since_end[i] + until[i]) < max_gap;
-    if (!in_gap && !before_corner && std::min(since[i], until[i]) > ended)
-      continue;
-    const Cell cell = cellOf(i);
-    line.between[i] = isNear(storey.rooms, cells, cell, isPart) &&
-                              !isNear(storey.rooms, cells, cell, isOpaque)
-                          ? StoreyLine::Between::Partly
-                      : in_gap ? StoreyLine::Between::Gap
-                               : StoreyLine::Between::Beyond;
-  }
-}
-
 /** @brief Appends the lines at which the air of a room ends without a surface. */
 void
 appendEnds(const RoomCells& room,
@@ -240,16 +57,21 @@ appendEnds(const RoomCells& room,
 {
   constexpr double near = 0.2; // metres
   constexpr double on = 1;     // metre that a line goes on
+  const CellBox& cells = room.seen.box();
+  const Eigen::AlignedBox2d box(grid.centre(cells.low), grid.centre(cells.high));
+  std::vector<const StoreyLine*> faces;
+  for (const StoreyLine& line : lines)
+    if (!line.is_end && line.box().intersects(box))
+      faces.push_back(&line);
   std::vector<NormalPlace> ends;
   for (const NormalPlace& end : endsOfAir(room, grid)) {
-    const auto isBeside = [&](const StoreyLine& line) {
-      if (line.is_end || line.curve.distance(end.at) > near)
-        return false;
-      const double s = line.along(end.at);
-      return s > line.from - near && s < line.to + near &&
-             std::abs(line.curve.tangentAt(end.at).dot(end.normal)) < 0.7;
+    const auto isBeside = [&](const StoreyLine* line) {
+      const double s = line->along(end.at);
+      return line->curve.distance(end.at) <= near && s > line->from - near &&
+             s < line->to + near &&
+             std::abs(line->curve.tangentAt(end.at).dot(end.normal)) < 0.7;
     };
-    if (std::none_of(lines.begin(), lines.end(), isBeside))
+    if (std::none_of(faces.begin(), faces.end(), isBeside))
       ends.push_back(end);
   }
   for (const Eigen::Vector2d& normal : normals) {
@@ -310,65 +132,16 @@ appendEdges(std::vector<StoreyLine>& lines)
   }
 }
 
-/** @brief Finds which surfaces are a line's own: no other one explains them better. */
-void
-findOwn(std::vector<StoreyLine>& lines)
-{
-  constexpr double beside = 0.04;   // metres
-  constexpr double parallel = 0.98; // cosine
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    StoreyLine& line = lines[k];
-    line.is_own.assign(line.any.size(), 1);
-    for (std::size_t i = 0; i < line.any.size(); ++i) {
-      if (!(line.any[i] > 0))
-        continue;
-      const Eigen::Vector2d p =
-          line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
-      const Eigen::Vector2d way = line.curve.tangentAt(p);
-      line.is_own[i] =
-          std::none_of(lines.begin(), lines.end(), [&](const StoreyLine& other) {
-            if (other.curve.distance(p) > beside ||
-                std::abs(other.curve.tangentAt(p).dot(way)) < parallel)
-              return false;
-            const double there = other.seenAt(other.curve.project(p));
-            const double here = line.any[i];
-            return &other < &line ? there >= here : there > here;
-          });
-    }
-  }
-}
-
 } // namespace
 
-double
-StoreyLine::seenAt(const Eigen::Vector2d& p) const
-{
-  const double s = along(p);
-  return s < from || s >= to || curve.distance(p) > near
-             ? -1
-             : static_cast<double>(
-                   any[static_cast<std::size_t>((s - from) / StoreyLine::bin)]);
-}
-
-double
-StoreyLine::support() const
-{
-  return StoreyLine::bin * static_cast<double>(std::count_if(
-                               any.begin(), any.end(), [](float v) { return v > 0; }));
-}
-
 StoreyLines
-storeyLines(const Storey& storey,
-            const std::vector<RoomCells>& cells,
-            const CellGrid& grid,
-            const RadiusRange& radii,
-            double near)
+storeyLines(const StoreyEvidence& storey)
 {
   std::vector<Eigen::Vector2d> places;
-  for (const std::size_t r : storey.rooms)
-    places.insert(places.end(), cells[r].wall_points.begin(),
-                  cells[r].wall_points.end());
-  const FaceCurves faces = faceCurves(places, radii);
+  for (const std::size_t r : storey.storey.rooms)
+    places.insert(places.end(), storey.cells[r].wall_points.begin(),
+                  storey.cells[r].wall_points.end());
+  const FaceCurves faces = faceCurves(places, storey.radii, storey.threads);
   StoreyLines storey_lines{{}, faces.certainty};
   std::vector<StoreyLine>& lines = storey_lines.lines;
   for (const FaceCurve& face : faces.curves) {
@@ -376,9 +149,14 @@ storeyLines(const Storey& storey,
     static_cast<FaceCurve&>(line) = face;
     line.parameters = face.curve.isCircle() ? 3 : face.is_main ? 1 : 2;
   }
-  for (const std::size_t r : storey.rooms)
-    appendEnds(cells[r], grid, faces.normals, lines);
-  for (StoreyLine& line : lines) {
+  for (const std::size_t r : storey.storey.rooms)
+    appendEnds(storey.cells[r], storey.grid, faces.normals, lines);
+  const LineEvidence evidence(storey);
+  const auto forEachLine = [&](const auto& body) {
+    parallelBlocks(lines.size(), 1, storey.threads,
+                   [&](std::size_t k, std::size_t) { body(lines[k]); });
+  };
+  forEachLine([&](StoreyLine& line) {
     const double on =
         line.is_end ? 0
         : line.curve.isCircle()
@@ -386,11 +164,10 @@ storeyLines(const Storey& storey,
             : beyond;
     line.from -= on;
     line.to += on;
-    line.near = near;
-    observe(storey, cells, grid, line);
-  }
-  for (StoreyLine& line : lines)
-    findBetween(storey, cells, grid, lines, line);
+    line.near = storey.near;
+    evidence.observe(line);
+  });
+  forEachLine([&](StoreyLine& line) { evidence.findBetween(lines, line); });
   appendEdges(lines);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const StoreyLine& a, const StoreyLine& b) {
@@ -400,7 +177,7 @@ storeyLines(const Storey& storey,
                      };
                      return order(a) < order(b);
                    });
-  findOwn(lines);
+  forEachLine([&](StoreyLine& line) { findOwn(lines, line); });
   return storey_lines;
 }
 

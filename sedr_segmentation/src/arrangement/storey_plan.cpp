@@ -51,6 +51,9 @@ nameBorders(const std::vector<StoreyLine>& lines,
             std::vector<CellBorder>& borders)
 {
   constexpr double same = 0.003; // metres
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const StoreyLine& line : lines)
+    boxes.push_back(line.box());
   for (CellBorder& border : borders) {
     const auto seenOn = [&](const StoreyLine& line) {
       double seen = 0;
@@ -60,10 +63,12 @@ nameBorders(const std::vector<StoreyLine>& lines,
     };
     std::size_t best = line_of[border.line];
     double most = seenOn(lines[best]);
+    Eigen::AlignedBox2d box(border.start);
+    box.extend(border.end);
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const PlanCurve& curve = lines[k].curve;
-      if (curve.isCircle() || curve.distance(border.start) > same ||
-          curve.distance(border.end) > same)
+      if (!boxes[k].intersects(box) || curve.isCircle() ||
+          curve.distance(border.start) > same || curve.distance(border.end) > same)
         continue;
       if (const double seen = seenOn(lines[k]); seen > most) {
         most = seen;
@@ -97,8 +102,8 @@ public:
       of_cell_[borders_[b].left].push_back(b);
       of_cell_[borders_[b].right].push_back(b);
     }
-    for (std::size_t c = 0; c < labels_.size(); ++c)
-      for (int l = 1; l < static_cast<int>(costs.labels()); ++l)
+    for (int l = 1; l < static_cast<int>(costs.labels()); ++l)
+      for (const std::size_t c : costs.cellsNear(l))
         if (costs.ofCell(c, l) < costs.ofCell(c, labels_[c]))
           labels_[c] = l;
     for (std::size_t b = 0; b < borders_.size(); ++b)
@@ -108,12 +113,10 @@ public:
       }
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
-    std::vector<std::size_t> all(labels_.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    expand(every, all, 4);
+    expand(every, nullptr, 4);
     prune();
     shares_prices_ = true;
-    expand(every, all, 4);
+    expand(every, nullptr, 4);
   }
 
   const std::vector<int>& labels() const { return labels_; }
@@ -182,9 +185,10 @@ private:
   }
 
   /** @brief Lets each of some labels take of some cells what lowers the energy. Returns
-   * by how much it rises, and what the labels were before. */
+   * by how much it rises, and what the labels were before.
+   * @param cells null: those near each label */
   std::pair<double, Changes> expand(const std::vector<int>& alphas,
-                                    const std::vector<std::size_t>& cells,
+                                    const std::vector<std::size_t>* cells,
                                     int sweeps)
   {
     double rise = 0;
@@ -192,7 +196,7 @@ private:
     for (bool goes_on = true; goes_on && sweeps-- > 0;) {
       goes_on = false;
       for (const int alpha : alphas) {
-        Changes changes = taken(alpha, cells);
+        Changes changes = taken(alpha, cells ? *cells : costs_.cellsNear(alpha));
         Changes old;
         for (const auto& [cell, label] : changes)
           old.emplace_back(cell, labels_[cell]);
@@ -312,7 +316,7 @@ private:
       }
     const std::vector<std::size_t> cells = cellsNear(line);
     may_use_[line] = 0;
-    const auto [change, before] = expand({beside.begin(), beside.end()}, cells, 2);
+    const auto [change, before] = expand({beside.begin(), beside.end()}, &cells, 2);
     if (rise + change < -1e-6)
       return true;
     set(before);
@@ -345,8 +349,7 @@ labelStorey(const StoreyEvidence& evidence,
 {
   if (evidence.storey.rooms.empty())
     return;
-  const StoreyLines found = storeyLines(evidence.storey, evidence.cells, evidence.grid,
-                                        evidence.radii, evidence.near);
+  const StoreyLines found = storeyLines(evidence);
   const std::vector<StoreyLine>& lines = found.lines;
   Eigen::AlignedBox2d box;
   for (const std::size_t r : evidence.storey.rooms) {

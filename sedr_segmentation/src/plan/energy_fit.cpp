@@ -199,7 +199,8 @@ fitPlanByEnergy(const PointView& points,
                  grid,
                  priors.max_wall,
                  near,
-                 {parameters.minimum_radius, parameters.maximum_radius}},
+                 {parameters.minimum_radius, parameters.maximum_radius},
+                 threads},
                 StoreyEnergy(), rooms);
     std::vector<const PlanRoom*> others;
     for (const std::size_t r : beside)

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storey_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double ended =
+    2.5; // metres from an end, farthest of what counts as beyond it
+
+/** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
+void
+clean(std::vector<float>& bins)
+{
+  constexpr std::ptrdiff_t hole = 4;
+  constexpr std::ptrdiff_t shortest = 3;
+  for (const bool is_hole : {true, false})
+    for (auto first = bins.begin(); first != bins.end();) {
+      const bool is_seen = *first > 0;
+      const auto last =
+          std::find_if(first, bins.end(), [&](float v) { return (v > 0) != is_seen; });
+      if (is_hole && !is_seen && last - first <= hole && first != bins.begin() &&
+          last != bins.end())
+        std::fill(first, last, std::min(*std::prev(first), *last));
+      if (!is_hole && is_seen && last - first < shortest)
+        std::fill(first, last, 0.F);
+      first = last;
+    }
+}
+
+/** @brief Returns where along a line another one meets it whose surface reaches up to
+ * the ceiling there or not far away, as in a hidden corner. */
+std::vector<double>
+crossingsOf(const StoreyLine& line, const StoreyLine& other)
+{
+  constexpr double reach = 2;      // metres
+  constexpr double parallel = 0.7; // cosine
+  std::vector<double> crossings;
+  for (const Eigen::Vector2d& p : intersections(line.curve, other.curve)) {
+    const double s = line.along(p);
+    const double t = other.along(p);
+    if (s < line.from || s >= line.to || t < other.from || t >= other.to ||
+        std::abs(line.curve.tangentAt(p).dot(other.curve.tangentAt(p))) > parallel)
+      continue;
+    const auto first = other.tall.begin();
+    const auto bin = [&](double at) {
+      return first +
+             static_cast<std::ptrdiff_t>(
+                 (std::clamp(at, other.from, other.to) - other.from) / StoreyLine::bin);
+    };
+    if (std::any_of(bin(t - reach), bin(t + reach) + 1, [](float v) { return v > 0; }))
+      crossings.push_back(s);
+  }
+  return crossings;
+}
+
+/** @brief Returns the way back, or on, to the next bin of a kind, metres. */
+template <typename Is>
+std::vector<double>
+waysTo(std::size_t bins, bool back, Is is)
+{
+  std::vector<double> ways(bins);
+  double way = 1e6;
+  for (std::size_t k = 0; k < bins; ++k) {
+    const std::size_t i = back ? k : bins - 1 - k;
+    ways[i] = way = is(i) ? 0 : way + StoreyLine::bin;
+  }
+  return ways;
+}
+
+} // namespace
+
+double
+StoreyLine::seenAt(const Eigen::Vector2d& p) const
+{
+  const double s = along(p);
+  return s < from || s >= to || curve.distance(p) > near
+             ? -1
+             : static_cast<double>(
+                   any[static_cast<std::size_t>((s - from) / StoreyLine::bin)]);
+}
+
+double
+StoreyLine::support() const
+{
+  return StoreyLine::bin * static_cast<double>(std::count_if(
+                               any.begin(), any.end(), [](float v) { return v > 0; }));
+}
+
+Eigen::AlignedBox2d
+StoreyLine::box() const
+{
+  Eigen::AlignedBox2d around;
+  if (curve.isCircle()) {
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(curve.radius);
+    around.extend(curve.point - reach);
+    around.extend(curve.point + reach);
+  }
+  else {
+    around.extend(at(from));
+    around.extend(at(to));
+  }
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(near);
+  return {around.min() - margin, around.max() + margin};
+}
+
+LineEvidence::LineEvidence(const StoreyEvidence& storey)
+    : storey_(storey)
+    , boxes_(storey.cells.size())
+{
+  const auto near = [](const CellMask& cells) {
+    return dilated(cells, 1.5); // cells: also across corners
+  };
+  for (const std::size_t r : storey.storey.rooms) {
+    const RoomCells& room = storey.cells[r];
+    for (const Eigen::Vector2d& p : room.wall_points)
+      boxes_[r].extend(p);
+    CellMask opaque = subtract(room.solid, room.glass);
+    addCells(room.pillar, opaque);
+    CellMask part = room.base;
+    addCells(room.riser, part);
+    addCells(room.glass, part);
+    opaque_.push_back(near(opaque));
+    part_.push_back(near(part));
+  }
+}
+
+bool
+LineEvidence::isIn(const std::vector<CellMask>& masks, Cell cell)
+{
+  return std::any_of(masks.begin(), masks.end(),
+                     [&](const CellMask& mask) { return mask.at(cell) != 0; });
+}
+
+Cell
+LineEvidence::cellAt(const StoreyLine& line, std::size_t bin) const
+{
+  const Eigen::Vector2d p =
+      line.at(line.from + (static_cast<double>(bin) + 0.5) * StoreyLine::bin);
+  return storey_.grid.at(p.x(), p.y());
+}
+
+void
+LineEvidence::observe(StoreyLine& line) const
+{
+  const auto bins =
+      static_cast<std::size_t>(std::ceil((line.to - line.from) / StoreyLine::bin)) + 1;
+  line.any.assign(bins, 0);
+  std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
+  const Eigen::AlignedBox2d box = line.box();
+  for (const std::size_t r : storey_.storey.rooms) {
+    if (!box.intersects(boxes_[r]))
+      continue;
+    std::vector<float> seen(bins, 0);
+    for (const Eigen::Vector2d& p : storey_.cells[r].wall_points) {
+      const double d = line.curve.distance(p) / line.near;
+      const double s = d < 1 ? line.along(p) : line.to + 1;
+      if (s < line.from || s > line.to)
+        continue;
+      const auto i = static_cast<std::size_t>((s - line.from) / StoreyLine::bin);
+      seen[i] = std::max(seen[i], static_cast<float>(1 - d * d));
+      ends[i] = {std::min(ends[i].first, s), std::max(ends[i].second, s)};
+    }
+    clean(seen);
+    for (std::size_t i = 0; i < bins; ++i)
+      line.any[i] = std::max(line.any[i], seen[i]);
+    if (std::any_of(seen.begin(), seen.end(), [](float v) { return v > 0; }))
+      line.seen.emplace(static_cast<std::uint32_t>(r), std::move(seen));
+  }
+  for (std::size_t i = 0; i < bins; ++i) {
+    if (line.any[i] > 0 && (i == 0 || !(line.any[i - 1] > 0)))
+      line.edges.push_back(ends[i].first - StoreyLine::bin / 2);
+    if (line.any[i] > 0 && (i + 1 == bins || !(line.any[i + 1] > 0)))
+      line.edges.push_back(ends[i].second + StoreyLine::bin / 2);
+  }
+  line.tall = line.any;
+  for (std::size_t i = 0; i < bins; ++i)
+    if (line.tall[i] > 0 && !isIn(opaque_, cellAt(line, i)))
+      line.tall[i] = 0;
+  clean(line.tall);
+}
+
+void
+LineEvidence::findBetween(const std::vector<StoreyLine>& lines, StoreyLine& line) const
+{
+  const std::size_t bins = line.tall.size();
+  std::vector<std::uint8_t> is_end(bins, 0);
+  for (std::size_t i = 0; i < bins; ++i)
+    is_end[i] = line.tall[i] > 0;
+  const Eigen::AlignedBox2d box = line.box();
+  for (const StoreyLine& other : lines)
+    if (box.intersects(other.box()))
+      for (const double s : crossingsOf(line, other))
+        is_end[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)] = 1;
+  const auto isTall = [&](std::size_t i) { return line.tall[i] > 0; };
+  const auto isEnd = [&](std::size_t i) { return is_end[i] != 0; };
+  const std::vector<double> since = waysTo(bins, true, isTall);
+  const std::vector<double> until = waysTo(bins, false, isTall);
+  const std::vector<double> since_end = waysTo(bins, true, isEnd);
+  const std::vector<double> until_end = waysTo(bins, false, isEnd);
+  line.between.assign(bins, StoreyLine::Between::Nothing);
+  for (std::size_t i = 0; i < bins; ++i) {
+    const bool in_gap = since[i] + until[i] < max_gap;
+    const bool before_corner =
+        std::min(since[i] + until_end[i], since_end[i] + until[i]) < max_gap;
+    if (!in_gap && !before_corner && std::min(since[i], until[i]) > ended)
+      continue;
+    const Cell cell = cellAt(line, i);
+    line.between[i] = isIn(part_, cell) && !isIn(opaque_, cell)
+                          ? StoreyLine::Between::Partly
+                      : in_gap ? StoreyLine::Between::Gap
+                               : StoreyLine::Between::Beyond;
+  }
+}
+
+void
+findOwn(const std::vector<StoreyLine>& lines, StoreyLine& line)
+{
+  constexpr double beside = 0.04;   // metres
+  constexpr double parallel = 0.98; // cosine
+  line.is_own.assign(line.any.size(), 1);
+  std::vector<const StoreyLine*> others;
+  const Eigen::AlignedBox2d box = line.box();
+  for (const StoreyLine& other : lines)
+    if (&other != &line && box.intersects(other.box()))
+      others.push_back(&other);
+  for (std::size_t i = 0; i < line.any.size(); ++i) {
+    if (!(line.any[i] > 0))
+      continue;
+    const Eigen::Vector2d p =
+        line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
+    const Eigen::Vector2d way = line.curve.tangentAt(p);
+    line.is_own[i] =
+        std::none_of(others.begin(), others.end(), [&](const StoreyLine* other) {
+          if (other->curve.distance(p) > beside ||
+              std::abs(other->curve.tangentAt(p).dot(way)) < parallel)
+            return false;
+          const double there = other->seenAt(other->curve.project(p));
+          const double here = line.any[i];
+          return other < &line ? there >= here : there > here;
+        });
+  }
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../faces/storeys.h"
+#include "face_proposals.h"
+
+#include "sedr_filters/src/grids/cell_mask.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief A line or a circle on which walls of a storey may lie, and where its surface
+ * was seen. Lengths in metres, along the curve. */
+struct StoreyLine : FaceCurve {
+  /** @brief What is on a line where no surface was seen. */
+  enum class Between : std::uint8_t {
+    Partly, ///< below or above it goes on, as at a window or a door
+    Gap,    ///< between two parts of the surface: a passage, a cupboard before it
+    Beyond, ///< near an end of the surface, or from there to a corner
+    Nothing ///< farther away
+  };
+
+  bool is_end = false; ///< no surface: air that was seen ends there, or a face does
+  double parameters = 1;
+  double near = 0.03; ///< maximum distance of its surfaces
+  std::map<std::uint32_t, std::vector<float>>
+      seen;                         ///< share explained, by room and bin
+  std::vector<float> any;           ///< the most of them
+  std::vector<float> tall;          ///< the same where it reaches up to the ceiling
+  std::vector<Between> between;     ///< of each bin where it does not
+  std::vector<std::uint8_t> is_own; ///< in each bin: no better line has its surface
+  std::vector<double> edges; ///< where the surface begins or ends, along the curve
+
+  /** @brief Returns how well a surface is explained at a place; -1 beyond the ends. */
+  double seenAt(const Eigen::Vector2d& p) const;
+
+  /** @brief Returns the length on which a surface was seen. */
+  double support() const;
+
+  /** @brief Returns the box around it and its surfaces. */
+  Eigen::AlignedBox2d box() const;
+};
+
+/** @brief The rooms of a storey and what is known of them. */
+struct StoreyEvidence {
+  const Storey& storey;
+  const std::vector<RoomCells>& cells;
+  const CellGrid& grid;
+  double max_wall = 0.6; ///< thickness, metres
+  double near = 0.03;    ///< distance of surfaces from their line, metres
+  RadiusRange radii;     ///< of arcs
+  unsigned threads = 1;
+};
+
+/** @brief What the rooms of a storey saw, asked line by line. */
+class LineEvidence {
+public:
+  /** @brief O(cells of the storey). */
+  explicit LineEvidence(const StoreyEvidence& storey);
+
+  /** @brief Finds where each room saw the surface of a line. O(points of the rooms that
+   * it enters). */
+  void observe(StoreyLine& line) const;
+
+  /** @brief Finds what is on a line where no surface reaches up to the ceiling.
+   * @param lines that were observed */
+  void findBetween(const std::vector<StoreyLine>& lines, StoreyLine& line) const;
+
+private:
+  Cell cellAt(const StoreyLine& line, std::size_t bin) const;
+  static bool isIn(const std::vector<CellMask>& masks, Cell cell);
+
+  const StoreyEvidence& storey_;
+  std::vector<Eigen::AlignedBox2d> boxes_; ///< of the surfaces of each room
+  std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
+  std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
+};
+
+/** @brief Finds which surfaces are a line's own: no other one explains them better.
+ * @param line one of the lines */
+void findOwn(const std::vector<StoreyLine>& lines, StoreyLine& line);
+
+} // namespace pcl::sedr
