@@ -14,7 +14,6 @@
 #include <vector>
 
 using namespace pcl::sedr::tools;
-using pcl::sedr::DrawingFormat;
 using pcl::sedr::Floorplan;
 using pcl::sedr::SectionLine;
 
@@ -22,12 +21,15 @@ namespace {
 
 /** @brief Returns the drawing sheet of one storey. */
 DrawingSheet
-sheetOf(const std::string& output, const Floorplan& plan, std::uint32_t number)
+sheetOf(const std::string& output,
+        const Floorplan& plan,
+        std::uint32_t number,
+        pcl::sedr::DrawingView view)
 {
   std::string known;
   for (const auto& storey : pcl::sedr::storeysOf(plan)) {
     if (storey.number == number)
-      return {output, storey};
+      return {output, storey, view, {}};
     known += (known.empty() ? "" : ", ") + std::to_string(storey.number);
   }
   throw ToolError("there is no storey " + std::to_string(number) +
@@ -57,14 +59,6 @@ sectionOf(const std::string& text, const Floorplan& plan)
   return line;
 }
 
-DrawingFormat
-formatOf(const std::string& path)
-{
-  return hasExtension(path, ".svg")   ? DrawingFormat::Svg
-         : hasExtension(path, ".pdf") ? DrawingFormat::Pdf
-                                      : DrawingFormat::Dxf;
-}
-
 /** @brief Names of PaperSize, in its order. */
 const std::vector<std::string> paper_names{"A4", "A3", "A2", "A1", "A0"};
 
@@ -85,6 +79,7 @@ main(int argc, char** argv)
   pcl::sedr::DrawingSettings settings;
   std::string paper = "A3";
   std::size_t storey = 0;
+  bool is_ceiling = false;
   std::string section;
   std::uint32_t room = 0;
   Options options("pcl_floorplan_drawing", "Draws a floor plan to scale.");
@@ -104,6 +99,9 @@ main(int argc, char** argv)
   options.text("project", settings.project, "name of the project");
   options.text("date", settings.date, "such as 2024-05-31");
   options.text("drawn-by", settings.drawn_by, "who has drawn it");
+  options.flag("ceiling", is_ceiling, "draw the reflected ceiling plan instead");
+  options.flag("wall-numbers", settings.wall_numbers,
+               "write the numbers of walls, which warnings name");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
   options.text("section", section,
@@ -119,6 +117,8 @@ main(int argc, char** argv)
     settings.origin = file.origin;
     settings.max_wall = file.max_wall;
     settings.paper = paperNamed(paper);
+    settings.view =
+        is_ceiling ? pcl::sedr::DrawingView::Ceiling : pcl::sedr::DrawingView::Floor;
     if (!section.empty()) {
       writeWhole(output, drawSection(drawn, sectionOf(section, drawn), formatOf(output),
                                      settings));
@@ -131,11 +131,12 @@ main(int argc, char** argv)
       return Done;
     }
     if (storey > 0) {
-      saveDrawing(sheetOf(output, drawn, static_cast<std::uint32_t>(storey)), drawn,
-                  settings);
+      saveDrawing(
+          sheetOf(output, drawn, static_cast<std::uint32_t>(storey), settings.view),
+          drawn, settings);
       return Done;
     }
-    const auto sheets = drawingSheets(output, drawn);
+    const auto sheets = drawingSheets(output, drawn, settings.view);
     for (const DrawingSheet& sheet : sheets)
       checkDrawingOutput(sheet.path);
     for (const DrawingSheet& sheet : sheets)

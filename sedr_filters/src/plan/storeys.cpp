@@ -174,6 +174,22 @@ storeyOfRooms(const Floorplan& plan)
   return numbers;
 }
 
+double
+usualFloor(const Floorplan& plan, const PlanStorey& storey)
+{
+  std::map<double, double> areas; // by height
+  double half = 0;
+  for (const std::uint32_t id : storey.rooms) {
+    const PlanRoom& room = *findRoom(plan, id);
+    areas[heightsOf(room).low] += room.area();
+    half += room.area() / 2;
+  }
+  auto floor = areas.begin();
+  for (; half > floor->second && std::next(floor) != areas.end(); ++floor)
+    half -= floor->second;
+  return floor->first;
+}
+
 Floorplan
 partOf(const Floorplan& plan, const PlanStorey& storey)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../drawing/text_spot.h"
+#include "../sheet/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/coverage.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dimension_chains.h"
 
-#include "sheet_layout.h"
+#include "../mesh/mesh_outlines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +136,16 @@ areAlike(const DimensionChain& a, const DimensionChain& b)
   return true;
 }
 
+void
+sortAlong(DimensionChain& chain)
+{
+  std::sort(
+      chain.places.begin(), chain.places.end(),
+      [way = wayAlong(chain.side)](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return a.dot(way) < b.dot(way);
+      });
+}
+
 /** @brief Returns the corners of walls that are visible from a side, in order. What
  * lies behind a gap that is no wider than a wall does not count. */
 DimensionChain
@@ -161,15 +171,50 @@ chainAlong(const std::vector<PlanElement>& walls,
       chain.places.push_back(
           view.toPlan({view.ends[k], std::min(view.depthBeside(k, false),
                                               view.depthBeside(k, true))}));
-  std::sort(chain.places.begin(), chain.places.end(),
-            [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-              return a.dot(wayAlong(side)) < b.dot(wayAlong(side));
-            });
+  sortAlong(chain);
   dropSmallSteps(chain, min_step);
   return chain;
 }
 
 } // namespace
+
+std::vector<DimensionChain>
+openingChains(const Floorplan& plan,
+              const PlanFrame& frame,
+              const Eigen::AlignedBox2d& whole)
+{
+  constexpr double along = 0.9998; // cosine of one degree
+  std::vector<DimensionChain> chains;
+  for (const Eigen::Vector2d& side : {Eigen::Vector2d(0, -1), Eigen::Vector2d(-1, 0),
+                                      Eigen::Vector2d(0, 1), Eigen::Vector2d(1, 0)}) {
+    DimensionChain chain{side, {whole.min(), whole.max()}};
+    const double off = (side.sum() < 0 ? whole.min() : whole.max()).dot(side);
+    for (Eigen::Vector2d& end : chain.places)
+      end = end.dot(wayAlong(side)) * wayAlong(side) + off * side;
+    const Eigen::Vector2d out = Eigen::Rotation2Dd(-frame.turn) * side; // in the plan
+    for (const PlanOpening& opening : plan.openings) {
+      const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+      const Eigen::Vector2d left(-way.y(), way.x());
+      const SectionLine sight{(opening.start + opening.end) / 2,
+                              (opening.start + opening.end) / 2 + out};
+      const auto hides = [&](const PlanRoom& room) {
+        const auto ranges = rangesIn(room.boundary, sight);
+        return !ranges.empty() && ranges.back().second > opening.depth;
+      };
+      if (opening.leadsOutside() &&
+          (opening.rooms[0] == 0 ? left : -left).dot(out) > along &&
+          std::none_of(plan.rooms.begin(), plan.rooms.end(), hides))
+        for (const Eigen::Vector2d& end : {opening.start, opening.end})
+          chain.places.push_back(frame(end + opening.depth / 2 * out));
+    }
+    if (chain.places.size() == 2)
+      continue;
+    sortAlong(chain);
+    dropSmallSteps(chain, min_step);
+    chains.push_back(chain);
+  }
+  return chains;
+}
 
 void
 dropSmallSteps(DimensionChain& chain, double least)

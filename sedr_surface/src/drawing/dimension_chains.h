@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sheet_layout.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>
@@ -40,6 +42,14 @@ struct DimensionChain {
  * narrow is ignored */
 std::vector<DimensionChain> wallChains(const std::vector<PlanElement>& walls,
                                        double max_wall);
+
+/** @brief Returns a chain for each side with openings that lead outside and that no
+ * room hides from it: along their jambs, from end to end of the plan.
+ * @param frame of the chains
+ * @param whole the rooms in it */
+std::vector<DimensionChain> openingChains(const Floorplan& plan,
+                                          const PlanFrame& frame,
+                                          const Eigen::AlignedBox2d& whole);
 
 /** @brief Removes places until neighbours are `least` metres apart: of the two nearest
  * to each other the one deeper in the plan. The others stay where they are. */

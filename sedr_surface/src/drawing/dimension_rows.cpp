@@ -147,7 +147,9 @@ rowsAround(const Floorplan& plan, double turn, double max_wall)
       if (!wallShares(plan, room, e).isGuess())
         walls.push_back(turned(room.boundary.elements[e]));
   }
-  std::vector<DimensionChain> chains = wallChains(walls, max_wall);
+  std::vector<DimensionChain> chains = openingChains(plan, turned, whole);
+  for (const DimensionChain& chain : wallChains(walls, max_wall))
+    chains.push_back(chain);
   chains.push_back({{0, -1}, {whole.min(), {whole.max().x(), whole.min().y()}}});
   chains.push_back({{-1, 0}, {whole.min(), {whole.min().x(), whole.max().y()}}});
   std::vector<DimensionRow> rows;

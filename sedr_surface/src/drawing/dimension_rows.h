@@ -31,8 +31,9 @@ struct DimensionRow {
   double off = 0;       ///< distance from the box of the plan, millimetres
 };
 
-/** @brief Returns the rows around a plan, on any paper: by wall where that says more
- * than the overall dimension, and overall, farther out.
+/** @brief Returns the rows around a plan, on any paper, from inside out: along openings
+ * that lead outside, by wall where that says more than the overall dimension, and
+ * overall.
  * @param turn of the plan on its sheet, radians
  * @param max_wall maximum thickness of a wall, metres */
 std::vector<DimensionRow>

@@ -3,6 +3,8 @@
 
 #include "../sheet/sheet.h"
 
+#include <pcl/sedr_surface/floorplan_drawing.h>
+
 #include <array>
 #include <cstddef>
 
@@ -19,6 +21,8 @@ enum class PlanLayer {
   Window,
   Ceiling,  ///< edges of details, steps of a ceiling that is not level
   Ridge,    ///< ridges, hips and valleys
+  Contour,  ///< of vaults and domes
+  Slope,    ///< arrows up slopes of a ceiling
   Headroom, ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
   Floor,    ///< steps, platforms and slopes
   Stair,    ///< flights: treads, the way up
@@ -54,7 +58,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 17> layer_styles{
+inline const std::array<LayerStyle, 19> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
@@ -68,6 +72,8 @@ inline const std::array<LayerStyle, 17> layer_styles{
       true,
       {no_colour, looks::blue, 0.3, {5, 1, 0.6, 1}},
       looks::blue},
+     {"A-CLNG-CNTR", 5, false, {no_colour, looks::blue, 0.15}, looks::blue},
+     {"A-CLNG-SLPE", 30, false, {no_colour, 0xb3562b, 0.25}, 0xb3562b},
      {"A-CLNG-HEAD", 30, true, {no_colour, 0xb3562b, 0.2, {0.8, 0.8}}, 0xb3562b},
      {"A-FLOR-LEVL", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
      {"A-FLOR-STRS", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
@@ -77,10 +83,16 @@ inline const std::array<LayerStyle, 17> layer_styles{
      {"A-WALL-IDEN", 9, false, {}, 0x8a8a8a},
      {"A-ANNO-TEXT", 7, false, {}, looks::blue}}};
 
-inline const LayerStyle&
-styleOf(PlanLayer layer)
+/** @param view edges of ceilings are dashed only where they are seen from above */
+inline LayerStyle
+styleOf(PlanLayer layer, DrawingView view = DrawingView::Floor)
 {
-  return layer_styles[static_cast<std::size_t>(layer)];
+  LayerStyle style = layer_styles[static_cast<std::size_t>(layer)];
+  if (layer == PlanLayer::Ceiling && view == DrawingView::Ceiling) {
+    style.is_dashed = false;
+    style.line.dash.clear();
+  }
+  return style;
 }
 
 /** @brief Font sizes, millimetres; the letters of the larger ones are 1.8 and 2.5 mm

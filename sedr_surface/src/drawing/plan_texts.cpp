@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_texts.h"
 
-#include "../overhead/ceiling_lines.h"
+#include "label_texts.h"
+
+#include "../sheet/text_spot.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/walls/plan_walls.h"
-#include "text_spot.h"
 
 #include "sedr_filters/src/plan/level_planes.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
@@ -12,70 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace pcl::sedr {
 namespace {
 
 constexpr double detail_font = 2.1; ///< of columns and openings
-
-/** @brief Returns the text lines of a room: number, area, and the height if its ceiling
- * lies above its floor. */
-std::vector<std::string>
-roomTexts(const PlanRoom& room)
-{
-  const double usual = clearHeight(room).usual;
-  std::string height = decimalText(usual, 2);
-  if (const auto [eaves, ridge] = heightRange(room); room.hasFacets() && eaves > 0)
-    height = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
-  const std::string number = std::to_string(room.id);
-  std::vector<std::string> lines{room.name.empty() ? "Room " + number
-                                                   : number + " " + room.name,
-                                 decimalText(room.area(), 2) + " m²"};
-  if (usual > 0)
-    lines.push_back("h " + height + " m");
-  return lines;
-}
-
-/** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
- * shapes. */
-std::string
-columnText(const PlanLoop& column)
-{
-  constexpr double same = 0.02;
-  const std::vector<PlanElement>& e = column.elements;
-  const auto isRound = [&](const PlanElement& part) {
-    return part.isArc() && std::abs(part.radius - e.front().radius) < same;
-  };
-  if (!e.empty() && std::all_of(e.begin(), e.end(), isRound))
-    return "Ø " + decimalText(2 * e.front().radius, 2);
-  const bool is_quad =
-      e.size() == 4 && std::none_of(e.begin(), e.end(), [](const PlanElement& part) {
-        return part.isArc();
-      });
-  return is_quad ? decimalText(e[0].length(), 2) + " x " + decimalText(e[1].length(), 2)
-                 : "";
-}
-
-/** @brief Returns the details of the ceiling that have a note: the largest of each
- * part other than that of the main ceiling. */
-std::vector<std::size_t>
-notedDetails(const PlanRoom& room, const std::vector<std::size_t>& part)
-{
-  std::map<std::size_t, std::pair<double, std::size_t>> largest;
-  for (std::size_t d = 0; d < room.details.size(); ++d) {
-    const double area = std::abs(room.details[d].boundary.area());
-    auto& best = largest[part[d + 1]];
-    if (part[d + 1] != part.front() && area > best.first)
-      best = {area, d};
-  }
-  std::vector<std::size_t> noted;
-  for (const auto& [number, best] : largest)
-    if (best.first > 0)
-      noted.push_back(best.second);
-  std::sort(noted.begin(), noted.end());
-  return noted;
-}
 
 /** @brief Places texts one after the other. */
 class TextWriter {
@@ -85,12 +27,11 @@ public:
       , places_(places)
   {}
 
-  /** @brief Writes number, area and height of a room.
-   * @return a circle around the text, metres */
-  TextSpot writeRoom(const PlanRoom& room)
+  /** @brief Writes the texts of a room.
+   * @return a circle around them, metres */
+  TextSpot writeRoom(const PlanRoom& room, const std::vector<std::string>& lines)
   {
     TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const std::vector<std::string> lines = roomTexts(room);
     auto box = writeAt(PlanLayer::Room, room.boundary, spot, lines, large_font);
     if (!box)
       box = writeAt(PlanLayer::Room, room.boundary, spot, {lines[0], lines[1]},
@@ -105,28 +46,40 @@ public:
     return spot;
   }
 
-  /** @brief Writes the height of a detail over the room's floor where nothing else is
-   * above it, off the room's text. */
+  /** @brief Writes the height of each part of the floor, or of the ceiling but its main
+   * slab, over the room's floor, off the room's text. */
+  void writeLevels(const PlanRoom& room,
+                   const std::vector<PlanDetail>& details,
+                   const SurfaceLines& lines,
+                   const TextSpot& room_text,
+                   PlanLayer layer)
+  {
+    for (const std::size_t d : lines.largest(details)) {
+      const PlanDetail& detail = details[d];
+      std::vector<PlanLoop> others = detail.holes;
+      for (std::size_t later = d + 1; later < details.size(); ++later)
+        if (boundsOf(details[later].boundary).intersects(boundsOf(detail.boundary)))
+          others.push_back(details[later].boundary);
+      writeLevel(room, detail.slab, detail.boundary, others, room_text, layer);
+    }
+  }
+
+  /** @brief Writes the height of a level slab where nothing else is above it. */
   void writeLevel(const PlanRoom& room,
-                  const std::vector<PlanDetail>& details,
-                  std::size_t d,
+                  const PlanSlab& slab,
+                  const PlanLoop& outline,
+                  std::vector<PlanLoop> others,
                   const TextSpot& room_text,
                   PlanLayer layer)
   {
-    const PlanDetail& detail = details[d];
-    if (!isLevel(detail.slab))
+    if (!isLevel(slab))
       return;
-    std::vector<PlanLoop> others = detail.holes;
-    for (std::size_t later = d + 1; later < details.size(); ++later)
-      if (boundsOf(details[later].boundary).intersects(boundsOf(detail.boundary)))
-        others.push_back(details[later].boundary);
     others.push_back(circleAbout(room_text));
-    TextSpot spot = textSpotIn(detail.boundary, others);
-    if (!room.contains(spot.place))
+    TextSpot spot = textSpotIn(outline, others);
+    if (spot.radius <= 0 || !room.contains(spot.place))
       return;
     spot.radius = std::min(spot.radius, room.boundary.distance(spot.place));
-    const double height =
-        detail.slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
+    const double height = slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
     const bool has_sign = layer == PlanLayer::Floor && height > 0;
     writeAt(layer, room.boundary, spot,
             {(has_sign ? "+" : "") + decimalText(height, 2)}, small_font);
@@ -170,7 +123,8 @@ public:
     return std::nullopt;
   }
 
-  /** @brief Writes a text beside a line, if there is space.
+  /** @brief Writes a text beside a line, of slopes also on its other side, or else on
+   * one of contours, if there is space.
    * @return its box */
   std::optional<TextBox> writeAlong(PlanLayer layer,
                                     const PlanElement& element,
@@ -184,13 +138,20 @@ public:
     const PlanElement drawn = frame_(element);
     const Eigen::Vector2d half = font * halfSizeOf({text});
     std::vector<TextBox> boxes;
-    for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3, 1.0 / 5, 4.0 / 5}) {
-      const double s = share * drawn.length();
-      const Eigen::Vector2d normal = drawn.normalAt(s);
-      if (std::min(s, drawn.length() - s) >= half.x() + clear)
-        boxes.push_back({drawn.pointAt(s) + beside_line * font * normal, half,
-                         readableAngle({normal.y(), -normal.x()})});
-    }
+    const auto addBoxes = [&](double side, double ends) {
+      for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3, 1.0 / 5, 4.0 / 5}) {
+        const double s = share * drawn.length();
+        const Eigen::Vector2d normal = drawn.normalAt(s);
+        if (std::min(s, drawn.length() - s) >= ends)
+          boxes.push_back({drawn.pointAt(s) + side * font * normal, half,
+                           readableAngle({normal.y(), -normal.x()})});
+      }
+    };
+    addBoxes(beside_line, half.x() + clear);
+    if (layer == PlanLayer::Slope)
+      addBoxes(-beside_line, half.x() + clear);
+    if (layer == PlanLayer::Contour)
+      addBoxes(0, 0);
     return addFirst(layer, boxes, font, text);
   }
 
@@ -220,11 +181,7 @@ public:
 
   void writeOpening(const OpeningGap& opening)
   {
-    const std::string text =
-        opening.mark + " " + decimalText(opening.width, 2) + " x " +
-        decimalText(opening.height, 2) +
-        (opening.kind == OpeningKind::Window ? " sill " + decimalText(opening.sill, 2)
-                                             : "");
+    const std::string text = textOf(opening);
     const Eigen::Vector2d half = detail_font * halfSizeOf({text});
     std::vector<TextBox> boxes;
     for (const std::size_t k : {2U, 0U}) {
@@ -332,44 +289,60 @@ writeStairs(const Floorplan& plan, TextWriter& writer)
 
 PlanTexts
 placedTexts(const Floorplan& plan,
-            const std::vector<CeilingLines>& ceilings,
+            const std::vector<RoomSurfaces>& surfaces,
             const std::vector<PlanLine>& lines,
             const std::vector<OpeningGap>& openings,
             const PlanFrame& frame,
+            const PlanTextSettings& settings,
             TextPlaces& places)
 {
+  const bool is_floor = settings.view == DrawingView::Floor;
   TextWriter writer(frame, places);
   std::vector<TextSpot> room_texts;
-  for (const PlanRoom& room : plan.rooms)
-    room_texts.push_back(writer.writeRoom(room));
-  writeStairs(plan, writer);
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    room_texts.push_back(writer.writeRoom(
+        plan.rooms[r], roomTexts(surfaces[r].faces, settings.view, settings.zero)));
+  if (is_floor)
+    writeStairs(plan, writer);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    for (const std::size_t d : notedDetails(room, ceilings[r].part))
-      writer.writeLevel(room, room.details, d, room_texts[r], PlanLayer::Height);
-    for (std::size_t d = 0; d < room.floor_details.size(); ++d)
-      writer.writeLevel(room, room.floor_details, d, room_texts[r], PlanLayer::Floor);
+    if (!is_floor && surfaces[r].faces.area(0) > 0) {
+      std::vector<PlanLoop> others = room.columns;
+      for (const PlanDetail& detail : room.details)
+        others.push_back(detail.boundary);
+      writer.writeLevel(room, room.ceiling, room.boundary, others, room_texts[r],
+                        PlanLayer::Height);
+    }
+    writer.writeLevels(room, room.details, surfaces[r].ceiling, room_texts[r],
+                       PlanLayer::Height);
+    if (is_floor)
+      writer.writeLevels(room, room.floor_details, surfaces[r].floor, room_texts[r],
+                         PlanLayer::Floor);
   }
   for (const PlanLine& line : lines)
-    writer.writeAlong(line.layer == PlanLayer::Headroom ||
-                              line.layer == PlanLayer::Floor
-                          ? line.layer
-                          : PlanLayer::Height,
-                      line.element, line.note);
-  for (const PlanRoom& room : plan.rooms) {
+    writer.writeAlong(
+        line.layer == PlanLayer::Headroom || line.layer == PlanLayer::Floor ||
+                line.layer == PlanLayer::Slope || line.layer == PlanLayer::Contour
+            ? line.layer
+            : PlanLayer::Height,
+        line.element, line.note);
+  for (const PlanRoom& room : plan.rooms)
     for (const PlanElement& wall : room.boundary.elements)
       writer.writeAlong(PlanLayer::Height, wall, eavesText(room, wall));
+  if (!is_floor)
+    return std::move(writer.found);
+  for (const PlanRoom& room : plan.rooms)
     for (const PlanLoop& column : room.columns)
       if (!isIsland(room, column))
         writer.writeColumn(column);
-  }
   for (const OpeningGap& opening : openings)
     writer.writeOpening(opening);
   for (const WallFace& face : wallFaces(plan))
     if (!isGuess(plan, face))
       writer.writeSize(elementOf(plan, face));
   for (const PlanRoom& room : plan.rooms)
-    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+    for (std::size_t e = 0; settings.wall_numbers && e < room.boundary.elements.size();
+         ++e)
       writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
                         std::to_string(room.id) + "." + std::to_string(e + 1),
                         smallest_font);

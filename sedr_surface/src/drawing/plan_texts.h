@@ -3,6 +3,7 @@
 
 #include "../sheet/text_places.h"
 #include "dimension_rows.h"
+#include "opening_gaps.h"
 #include "plan_lines.h"
 
 #include <string>
@@ -22,16 +23,24 @@ struct PlanTexts {
   std::vector<SheetDimension> walls; ///< lengths on straight walls
 };
 
+/** @brief Which texts a plan has. */
+struct PlanTextSettings {
+  DrawingView view = DrawingView::Floor;
+  double zero = 0; ///< height of level 0, metres
+  bool wall_numbers = false;
+};
+
 /** @brief Places the texts within a plan by importance: rooms, stairs, heights of
  * details, notes of lines, eaves, columns, openings, walls. They overlap neither each
  * other nor what is occupied; one without space is shortened or left out.
- * @param ceilings of each room
+ * @param surfaces of each room
  * @param frame maps the plan to the sheet */
 PlanTexts placedTexts(const Floorplan& plan,
-                      const std::vector<CeilingLines>& ceilings,
+                      const std::vector<RoomSurfaces>& surfaces,
                       const std::vector<PlanLine>& lines,
                       const std::vector<OpeningGap>& openings,
                       const PlanFrame& frame,
+                      const PlanTextSettings& settings,
                       TextPlaces& places);
 
 /** @brief Lines of text within a loop. */

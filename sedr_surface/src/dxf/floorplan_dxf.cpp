@@ -19,12 +19,14 @@ constexpr const char* area_layer = "A-AREA";
 constexpr double letters = 0.72; ///< height of capital letters over the font size
 
 std::vector<DxfLayer>
-dxfLayers()
+dxfLayers(DrawingView view)
 {
   std::vector<DxfLayer> layers{{"0", 7, false, 0}};
-  for (const LayerStyle& style : layer_styles)
+  for (std::size_t k = 0; k < layer_styles.size(); ++k) {
+    const LayerStyle style = styleOf(static_cast<PlanLayer>(k), view);
     layers.push_back(
         {style.dxf_name, style.dxf_colour, style.is_dashed, style.line.width});
+  }
   layers.push_back({area_layer, 9, false, 0, false}); // it runs through openings
   return layers;
 }
@@ -34,7 +36,7 @@ class DxfWriter {
 public:
   explicit DxfWriter(const Drawing& drawing)
       : frame_(drawing.layout.frame)
-      , file_(dxfLayers(), heightOf(small_font))
+      , file_(dxfLayers(drawing.view), heightOf(small_font))
   {
     for (const PlanLoop& outline : drawing.outlines)
       model_.outline(area_layer, outline);

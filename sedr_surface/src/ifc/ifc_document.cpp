@@ -8,7 +8,6 @@
 #include <boost/uuid/uuid.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace pcl::sedr::ifc {
@@ -116,35 +115,13 @@ IfcDocument::addProject(const Origin& origin)
   addStoreys(building, building_place);
 }
 
-namespace {
-
-/** @brief Returns the height of the main floor over half of a storey's area: pits and
- * landings have heights of their own. */
-double
-usualFloor(const Floorplan& plan, const PlanStorey& storey)
-{
-  std::map<double, double> areas; // by height
-  double half = 0;
-  for (const std::uint32_t id : storey.rooms) {
-    const PlanRoom& room = *findRoom(plan, id);
-    areas[heightsOf(room).low] += room.area();
-    half += room.area() / 2;
-  }
-  auto floor = areas.begin();
-  for (; half > floor->second && std::next(floor) != areas.end(); ++floor)
-    half -= floor->second;
-  return rounded(floor->first);
-}
-
-} // namespace
-
 void
 IfcDocument::addStoreys(StepRef building, StepRef building_placement)
 {
   std::map<std::uint32_t, std::size_t> index_of;
   std::vector<StepRef> refs;
   for (const PlanStorey& storey : storeysOf(plan)) {
-    const double ground = usualFloor(plan, storey);
+    const double ground = rounded(usualFloor(plan, storey));
     const StepRef place = shapes.placement(building_placement, {0, 0, ground});
     const std::string name = "storey_" + std::to_string(storey.number);
     const StepRef ref =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ceiling_lines.h"
+#include "surface_lines.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -7,6 +7,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace sedr_test {
 
@@ -38,6 +39,34 @@ countOf(const std::string& dxf, const std::string& type, const std::string& laye
     else if (code == "8")
       count += is_type && value == layer ? 1 : 0;
   return count;
+}
+
+/** The sum of the areas of the outlines in a DXF. */
+inline double
+outlinedArea(const std::string& dxf)
+{
+  double area = 0;
+  std::vector<Eigen::Vector2d> corners;
+  const auto close = [&] {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Eigen::Vector2d& next = corners[(k + 1) % corners.size()];
+      area += (corners[k].x() * next.y() - next.x() * corners[k].y()) / 2;
+    }
+    corners.clear();
+  };
+  bool is_outline = false;
+  std::istringstream lines(dxf);
+  for (std::string code, value;
+       std::getline(lines, code) && std::getline(lines, value);)
+    if (code == "0") {
+      close();
+      is_outline = value == "LWPOLYLINE";
+    }
+    else if (is_outline && code == "10")
+      corners.emplace_back(std::stod(value), 0);
+    else if (is_outline && code == "20")
+      corners.back().y() = std::stod(value);
+  return area;
 }
 
 /** Settings with the given scale. */

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drawn_plans.h"
 
+#include "sedr_filters/src/base/number_text.h"
+
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
 #include <string>
 
 // The output is checked with other programs in test/tools/report.
@@ -244,7 +249,7 @@ TEST(FloorplanDrawing, TiltedWallsHaveTheirHead)
 {
   Floorplan plan = planOf(rectangle(0, 0, 4, 3));
   plan.rooms[0].boundary.elements[0].tilt = -10 * M_PI / 180; // y = 0, out of the room
-  const auto lines = planLines(plan, {}, ceilingsOf(plan, 0.01));
+  const auto lines = planLines(plan, {}, surfacesOf(plan, 0.01));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_NEAR(lines[4].element.start.y(), -2.5 * std::tan(10 * M_PI / 180), 1e-9);
   EXPECT_EQ(lines[4].note, "tilt 10.0°");
@@ -284,7 +289,7 @@ TEST(FloorplanDrawing, AnArrowLeadsUpASlopeOfTheFloor)
   ramp.slab = slabAt(0.4, -0.08); // down along x to 0.16 m less
   plan.rooms[0].floor_details = {ramp};
   const std::string note = "8 %";
-  const auto lines = planLines(plan, {}, ceilingsOf(plan, 0.01));
+  const auto lines = planLines(plan, {}, surfacesOf(plan, 0.01));
   const auto arrow = std::find_if(lines.begin(), lines.end(),
                                   [&](const PlanLine& l) { return l.note == note; });
   ASSERT_NE(arrow, lines.end());
@@ -293,6 +298,62 @@ TEST(FloorplanDrawing, AnArrowLeadsUpASlopeOfTheFloor)
   EXPECT_NEAR(way.y(), 0, 1e-9);
   EXPECT_TRUE(ramp.contains(arrow->element.start) && ramp.contains(arrow->element.end));
   EXPECT_TRUE(holds(floorplanToSvg(plan), ">" + note + "<"));
+}
+
+TEST(FloorplanDrawing, FacetsOfTheFloorThatDifferByLessThan3CmAreNoLines)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  const auto lines = [&](double step) {
+    plan.rooms[0].floor_details = {detailOf(rectangle(5, 0, 8, 6), step)};
+    const std::string dxf = floorplanToDxf(plan);
+    EXPECT_EQ(holds(dxf, "\n+" + std::to_string(step).substr(0, 4) + "\n"),
+              step > 0.03);
+    return countOf(dxf, "LINE", "A-FLOR-LEVL");
+  };
+  EXPECT_EQ(lines(0.02), 0u);
+  EXPECT_EQ(lines(0.04), 1u);
+}
+
+TEST(FloorplanDrawing, LevelsAreAboveTheUsualFloorOfTheLowestStorey)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  plan.rooms.push_back(roomOf(rectangle(8.1, 0, 9, 1), 2.5, 2));
+  plan.rooms.back().floor = slabAt(-0.5); // a pit
+  const std::string svg = floorplanToSvg(plan, scaled(20));
+  EXPECT_TRUE(holds(svg, ">▼ ±0.00<"));
+  EXPECT_TRUE(holds(svg, ">▼ -0.50<"));
+}
+
+TEST(FloorplanDrawing, WallsHaveNumbersOnlyIfAskedFor)
+{
+  DrawingSettings settings;
+  const Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  EXPECT_FALSE(holds(floorplanToSvg(plan, settings), ">1.3<"));
+  settings.wall_numbers = true;
+  EXPECT_TRUE(holds(floorplanToSvg(plan, settings), ">1.3<"));
+}
+
+TEST(FloorplanDrawing, OuterOpeningsHaveAChainOfTheirOwn)
+{
+  // Windows of two walls; one more, below, looks at another room.
+  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  plan.rooms.push_back(roomOf(rectangle(0, -3, 4, -2), 2.5, 2));
+  plan.openings = {
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {1, -0.1}, {3, -0.1}, 1, 2, 0, 0.2},
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {6, -0.1}, {7, -0.1}, 1, 2, 0, 0.2},
+      {OpeningKind::Door, {1, 0}, {{1, 1}}, {8.1, 2}, {8.1, 3}, 0, 2, 0, 0.2}};
+  const PlanDrawing drawing(plan, scaled(50), 0);
+  std::map<double, std::vector<double>> below; // by height on the sheet
+  std::vector<double> right;
+  for (const SheetDimension& d : drawing.dimensions) {
+    if (d.start.y() == d.end.y())
+      below[d.start.y()].push_back(std::round(100 * d.length) / 100);
+    else if (d.start.x() > drawing.layout.frame(Eigen::Vector2d(8, 0)).x())
+      right.push_back(std::round(100 * d.length) / 100);
+  }
+  ASSERT_FALSE(below.empty());
+  EXPECT_EQ(below.rbegin()->second, (std::vector<double>{6, 1, 1})) << "nearest";
+  EXPECT_EQ(right, (std::vector<double>{5, 1, 3}));
 }
 
 TEST(FloorplanDrawing, TextsWithoutSpaceAreLeftOut)
@@ -326,6 +387,61 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.2000000\n20\n-1.2000000\n"));
   EXPECT_TRUE(holds(dxf, "\nattic\n"));
   EXPECT_FALSE(holds(dxf, "Room 1\n"));
+}
+
+DrawingSettings
+ofCeiling()
+{
+  DrawingSettings settings;
+  settings.view = DrawingView::Ceiling;
+  settings.scale = 50;
+  return settings;
+}
+
+TEST(CeilingPlan, HasTheHeightsAndAreasOfTheSolid)
+{
+  // A beam and a coffer, a roof, and a barrel vault.
+  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  plan.rooms[0].details = {detailOf(rectangle(0, 4, 8, 4.4), 2.2),
+                           detailOf(rectangle(2, 1, 6, 3), 2.76)};
+  plan.rooms.push_back(roomOf(rectangle(9, 0, 15, 6), 0, 2));
+  plan.rooms[1].ceiling = slabAt(2 - 9 * 0.5, 0.5);
+  plan.rooms.push_back(roomOf(rectangle(16, 0, 22, 6), 0, 3));
+  SlabCurve vault;
+  vault.centre = {16, 3};
+  vault.base = 2;
+  vault.across = vault.up = 3;
+  plan.rooms[2].ceiling.curve = std::make_shared<SlabCurve>(vault);
+  const std::string svg = floorplanToSvg(plan, ofCeiling());
+  double area = 0;
+  for (const PlanRoom& room : plan.rooms) {
+    TriangleMesh solid;
+    std::vector<SolidElement> elements;
+    const double of_room = extrudeRoom(room, {}, solid, elements).ceiling_area;
+    EXPECT_TRUE(holds(svg, ">ceiling " + decimalText(of_room, 2) + " m²<"));
+    area += of_room;
+  }
+  EXPECT_TRUE(holds(svg, ">3 rooms, " + decimalText(area, 2) + " m²<"));
+  for (const char* text : {">2.50<", ">2.20<", ">2.76<", ">26.6°<", ">eaves 2.00<",
+                           ">h 2.00 - 5.00 m<", ">3.50<", ">Reflected ceiling plan<"})
+    EXPECT_TRUE(holds(svg, text)) << text;
+  const std::string dxf = floorplanToDxf(plan, ofCeiling());
+  EXPECT_NEAR(outlinedArea(dxf), 48 + 36 + 36, 1e-3) << "faces of the solid in plan";
+  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG"), 2u + 4u);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-CNTR"), 2 * 5u) << "2.50 to 4.50";
+  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-SLPE"), 3u);
+}
+
+TEST(CeilingPlan, TheWallGoesOnAboveOpeningsButThoseUpToTheCeiling)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  for (const double top : {2.0, 2.5}) {
+    plan.openings = {
+        {OpeningKind::Door, {1, 0}, {{1, 0}}, {3, -0.1}, {2, -0.1}, 0, top, 0, 0.2}};
+    const PlanDrawing drawing(plan, ofCeiling(), 0);
+    ASSERT_EQ(drawing.openings.size(), 1u);
+    EXPECT_EQ(linesOf(drawing.openings[0]).size(), top < 2.5 ? 4u : 2u);
+  }
 }
 
 TEST(FloorplanDxf, HasArcsCirclesAndDetails)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drawn_plans.h"
 
-#include "sedr_surface/src/drawing/cut_drawing.h"
+#include "sedr_surface/src/cuts/cut_drawing.h"
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/room_solid.h>
 
@@ -25,34 +25,6 @@ cutArea(const PlanRoom& room, const SectionLine& line)
   double area = 0;
   for (const PlanLoop& loop : cutOf(solid, line))
     area += loop.area();
-  return area;
-}
-
-/** The sum of the areas of the rooms' outlines in a DXF. */
-double
-outlinedArea(const std::string& dxf)
-{
-  double area = 0;
-  std::vector<Eigen::Vector2d> corners;
-  const auto close = [&] {
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Eigen::Vector2d& next = corners[(k + 1) % corners.size()];
-      area += (corners[k].x() * next.y() - next.x() * corners[k].y()) / 2;
-    }
-    corners.clear();
-  };
-  bool is_outline = false;
-  std::istringstream lines(dxf);
-  for (std::string code, value;
-       std::getline(lines, code) && std::getline(lines, value);)
-    if (code == "0") {
-      close();
-      is_outline = value == "LWPOLYLINE";
-    }
-    else if (is_outline && code == "10")
-      corners.emplace_back(std::stod(value), 0);
-    else if (is_outline && code == "20")
-      corners.back().y() = std::stod(value);
   return area;
 }
 

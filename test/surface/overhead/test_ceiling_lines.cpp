@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_surface/src/overhead/ceiling_lines.h"
+#include "sedr_surface/src/overhead/surface_lines.h"
+
+#include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 
 namespace {
@@ -30,7 +33,13 @@ roomWith(const std::vector<std::pair<PlanLoop, PlanSlab>>& facets)
 std::size_t
 lineCount(const PlanRoom& room)
 {
-  return ceilingLines(room, at_1_50).lines.size();
+  return surfaceLines(room, RoomSurface::Ceiling, at_1_50).lines.size();
+}
+
+SurfaceLines
+ceilingLines(const PlanRoom& room, double finest)
+{
+  return surfaceLines(room, RoomSurface::Ceiling, finest);
 }
 
 TEST(CeilingLines, AreWhereThereIsAStepOrAnAngle)
@@ -178,8 +187,8 @@ TEST(CeilingLines, OfAHippedRoofAreARidgeAndFourHips)
 TEST(CeilingHeights, OfARoofAreThoseOfEavesAndRidge)
 {
   const PlanRoom room = hippedRoom(0.7);
-  EXPECT_NEAR(heightRange(room).first, 1, 1e-6);
-  EXPECT_NEAR(heightRange(room).second, 2.4, 1e-6);
+  EXPECT_NEAR(heightRange(CeilingFaces(room)).first, 1, 1e-6);
+  EXPECT_NEAR(heightRange(CeilingFaces(room)).second, 2.4, 1e-6);
   for (const PlanElement& wall : room.boundary.elements)
     EXPECT_EQ(eavesText(room, wall), "eaves 1.00");
 }
@@ -188,18 +197,20 @@ TEST(CeilingHeights, AreNotThoseOfAThing)
 {
   PlanRoom room = hippedRoom(0.7);
   room.details.push_back(detailOf(rectangle(3, 1.5, 3.4, 1.9), 0.5)); // of 32 m2
-  EXPECT_NEAR(heightRange(room).first, 1, 1e-6);
+  EXPECT_NEAR(heightRange(CeilingFaces(room)).first, 1, 1e-6);
 }
 
 TEST(HeightLines, RunAroundARoof)
 {
   // Slopes of 45 degrees: half a metre from the walls.
+  const PlanRoom hipped = hippedRoom(1);
   double length = 0;
-  for (const PlanElement& line : heightLines(hippedRoom(1), 1.5))
+  for (const PlanElement& line : heightLines(CeilingFaces(hipped), 1.5))
     length += line.length();
-  EXPECT_NEAR(length, 20, 0.3);
-  EXPECT_TRUE(heightLines(hippedRoom(1), 3.5).empty());
-  EXPECT_TRUE(heightLines(roomOf(rectangle(0, 0, 8, 4), 2.5), 1.5).empty());
+  EXPECT_NEAR(length, 20, 1e-6);
+  EXPECT_TRUE(heightLines(CeilingFaces(hipped), 3.5).empty());
+  const PlanRoom level = roomOf(rectangle(0, 0, 8, 4), 2.5);
+  EXPECT_TRUE(heightLines(CeilingFaces(level), 1.5).empty());
 }
 
 TEST(HeightLines, EndAtSoffitsAndPlatforms)
@@ -211,13 +222,13 @@ TEST(HeightLines, EndAtSoffitsAndPlatforms)
   room.details = {detailOf(rectangle(0, 0, 4, 1), 1.5)};
   room.floor_details = {detailOf(rectangle(0, 3, 4, 4), 0.2)};
   double length = 0;
-  for (const PlanElement& line : heightLines(room, 2)) {
+  for (const PlanElement& line : heightLines(CeilingFaces(room), 2)) {
     EXPECT_NEAR(line.start.x(), line.end.x(), 1e-6);
     const bool is_above_platform = line.pointAt(line.length() / 2).y() > 3;
     EXPECT_NEAR(line.start.x(), is_above_platform ? 2.4 : 2, 1e-6);
     length += line.length();
   }
-  EXPECT_NEAR(length, 3, 0.2);
+  EXPECT_NEAR(length, 3, 1e-3);
 }
 
 TEST(HeightLines, FollowAVault)
@@ -229,10 +240,64 @@ TEST(HeightLines, FollowAVault)
   vault.base = 1;
   vault.across = vault.up = 2;
   room.ceiling.curve = std::make_shared<SlabCurve>(vault);
-  const auto lines = heightLines(room, 2);
+  const auto lines = heightLines(CeilingFaces(room), 2);
   ASSERT_EQ(lines.size(), 2u);
   for (const PlanElement& line : lines)
     EXPECT_NEAR(std::abs(line.pointAt(3).y() - 2), std::sqrt(3), 0.002);
+}
+
+TEST(FloorLines, AreWhereTheFloorHasAStepOrARamp)
+{
+  // A platform of 2 and of 4 cm, then a ramp of 8 % up to one of 20 cm.
+  PlanRoom room = roomOf(rectangle(0, 0, 8, 4), 2.5);
+  const auto count = [&](double step) {
+    room.floor_details = {detailOf(rectangle(6, 0, 8, 4), step)};
+    return surfaceLines(room, RoomSurface::Floor, at_1_50).lines.size();
+  };
+  EXPECT_EQ(count(0.02), 0u);
+  EXPECT_EQ(count(0.04), 1u);
+  EXPECT_EQ(count(0.2), 1u);
+  PlanDetail ramp = detailOf(rectangle(3.5, 0, 6, 4), 0);
+  ramp.slab = slabAt(-0.08 * 3.5, 0.08);
+  room.floor_details.push_back(ramp);
+  EXPECT_EQ(surfaceLines(room, RoomSurface::Floor, at_1_50).lines.size(), 2u);
+}
+
+TEST(ContourLines, RunAroundADomeAtEqualHeights)
+{
+  PlanRoom room = roomOf(circle({3, 2}, 2), 0);
+  SlabCurve dome;
+  dome.kind = CurveKind::Ellipsoid;
+  dome.centre = {3, 2};
+  dome.base = 2;
+  dome.along = dome.across = dome.up = 2;
+  room.ceiling.curve = std::make_shared<SlabCurve>(dome);
+  const auto lines = contourLines(CeilingFaces(room));
+  std::map<long, int> told;
+  for (const CeilingLine& line : lines) {
+    const Eigen::Vector2d p = line.element.start - Eigen::Vector2d(3, 2);
+    const long quarter = std::lround(4 * (2 + std::sqrt(4 - p.squaredNorm())));
+    EXPECT_NEAR(std::hypot(p.norm(), 0.25 * quarter - 2), 2, 0.001);
+    if (!line.text.empty()) {
+      EXPECT_EQ(std::stod(line.text), 0.25 * quarter);
+      ++told[quarter];
+    }
+  }
+  EXPECT_EQ(told.size(), 7u) << "2.25 to 3.75, one of them along a ring of corners";
+  for (const auto& [height, count] : told)
+    EXPECT_EQ(count, 1) << height;
+}
+
+TEST(CeilingFaces, HaveTheAreaOfTheSolid)
+{
+  PlanRoom room = roomWith({{rectangle(4, 0, 8, 4), slabAt(2.5 - 4, 1)}});
+  const CeilingFaces ceiling(room);
+  EXPECT_NEAR(ceiling.area(0), 16, 1e-6);
+  EXPECT_NEAR(ceiling.area(1), 16 * std::sqrt(2), 1e-6);
+  TriangleMesh solid;
+  std::vector<SolidElement> elements;
+  EXPECT_NEAR(ceiling.area(), extrudeRoom(room, {}, solid, elements).ceiling_area,
+              1e-6);
 }
 
 } // namespace

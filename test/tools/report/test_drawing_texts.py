@@ -123,7 +123,7 @@ class DrawingTexts(unittest.TestCase):
     def expect_free_texts(self, plan, scales=("0", "50", "200")):
         """On every sheet of a plan."""
         for scale in scales:
-            self.run_tool(DRAWING, plan, self.path("sheet.svg"), "--scale", scale)
+            self.run_tool(DRAWING, plan, self.path("sheet.svg"), "--scale", scale, "--wall-numbers")
             for name in filter(re.compile(r"sheet(_\d+)?\.svg$").match, sorted(os.listdir(self.folder))):
                 size, boxes = boxes_of(self.path(name))
                 os.remove(self.path(name))
@@ -144,9 +144,9 @@ class DrawingTexts(unittest.TestCase):
                 self.assertEqual(collisions(boxes), [], plan + " " + name)
 
     def expect_free_cuts(self, plan):
-        """On a section and elevations of a plan."""
-        for option, value in (("--section", "rooms"), ("--elevations", "1")):
-            self.run_tool(DRAWING, plan, self.path("cut.svg"), option, value)
+        """On a section, elevations and a ceiling plan."""
+        for option, *value in (("--section", "rooms"), ("--elevations", "1"), ("--ceiling", "--storey", "1")):
+            self.run_tool(DRAWING, plan, self.path("cut.svg"), option, *value)
             size, boxes = boxes_of(self.path("cut.svg"))
             what = "%s %s" % (plan, option)
             self.assertGreater(len(boxes), 10, what)

@@ -43,10 +43,12 @@ constexpr const char* plan_picture = "pictures/floorplan_fitting.png";
 std::vector<std::string>
 outputNames(const ModelSettings& settings)
 {
-  std::vector<std::string> names{
-      "structure.pcd",  "solid.ply",     "solid.obj",     "solid.mtl",     "model.ifc",
-      "floorplan.json", "floorplan.svg", "floorplan.pdf", "floorplan.dxf", "model.glb",
-      "report.json",    "rooms.csv",     "openings.csv",  "walls.csv"};
+  std::vector<std::string> names{"structure.pcd", "solid.ply",  "solid.obj",
+                                 "solid.mtl",     "model.ifc",  "floorplan.json",
+                                 "model.glb",     "rooms.csv",  "openings.csv",
+                                 "walls.csv",     "report.json"};
+  for (const DrawingSheet& sheet : allDrawings({}))
+    names.push_back(sheet.path);
   if (!settings.no_mesh)
     names.push_back("mesh.ply");
   if (settings.report)
@@ -233,17 +235,16 @@ writeBuildingModel(const OutputFolder& folder,
   record.schedules = model.schedules;
 }
 
-/** @brief Writes the drawings as SVG, PDF and DXF; with several storeys one each. */
+/** @brief Writes the drawings. */
 void
 writeDrawings(const OutputFolder& folder,
               const ModelSettings& settings,
               const Reconstruction& chain)
 {
   const Floorplan& plan = *chain.getFloorplan();
-  std::vector<DrawingSheet> sheets;
-  for (const char* name : {"floorplan.svg", "floorplan.pdf", "floorplan.dxf"})
-    for (const DrawingSheet& sheet : drawingSheets(name, plan))
-      sheets.push_back({folder.file(sheet.path), sheet.storey});
+  std::vector<DrawingSheet> sheets = allDrawings(plan);
+  for (DrawingSheet& sheet : sheets)
+    sheet.path = folder.file(sheet.path);
   parallelBlocks(sheets.size(), 1, settings.threads, [&](std::size_t k, std::size_t) {
     saveDrawing(sheets[k], plan, drawingSettings(settings, chain));
   });

@@ -5,7 +5,7 @@
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
-#include "sedr_surface/src/drawing/text_spot.h"
+#include "sedr_surface/src/sheet/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/coverage.h>

@@ -71,31 +71,60 @@ checkDrawingOutput(const std::string& path)
   checkOutput(path, "a drawing", {".svg", ".pdf", ".dxf"});
 }
 
+DrawingFormat
+formatOf(const std::string& path)
+{
+  return hasExtension(path, ".svg")   ? DrawingFormat::Svg
+         : hasExtension(path, ".pdf") ? DrawingFormat::Pdf
+                                      : DrawingFormat::Dxf;
+}
+
 std::vector<DrawingSheet>
-drawingSheets(const std::string& path, const Floorplan& plan)
+drawingSheets(const std::string& path, const Floorplan& plan, DrawingView view)
 {
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   if (storeys.size() <= 1)
-    return {{path, std::nullopt}};
+    return {{path, {}, view, {}}};
   const std::filesystem::path whole(path);
   std::vector<DrawingSheet> sheets;
   for (const PlanStorey& storey : storeys) {
     std::filesystem::path name = whole.stem();
     name += "_" + std::to_string(storey.number);
     name += whole.extension();
-    sheets.push_back({(whole.parent_path() / name).string(), storey});
+    sheets.push_back({(whole.parent_path() / name).string(), storey, view, {}});
   }
   return sheets;
+}
+
+std::vector<DrawingSheet>
+allDrawings(const Floorplan& plan)
+{
+  std::vector<DrawingSheet> all;
+  for (const std::string extension : {".svg", ".pdf", ".dxf"}) {
+    for (const DrawingSheet& sheet : drawingSheets("floorplan" + extension, plan))
+      all.push_back(sheet);
+    for (const DrawingSheet& sheet :
+         drawingSheets("ceiling" + extension, plan, DrawingView::Ceiling))
+      all.push_back(sheet);
+    all.push_back({"section_rooms" + extension, {}, {}, sectionThroughRooms(plan)});
+    if (const auto line = sectionThroughStairs(plan))
+      all.push_back({"section_stairs" + extension, {}, {}, line});
+  }
+  return all;
 }
 
 void
 saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings settings)
 {
   settings.storey = sheet.storey ? &*sheet.storey : nullptr;
-  auto* const write = hasExtension(sheet.path, ".svg")   ? &floorplanToSvg
-                      : hasExtension(sheet.path, ".pdf") ? &floorplanToPdf
-                                                         : &floorplanToDxf;
-  writeWhole(sheet.path, write(plan, settings));
+  settings.view = sheet.view;
+  const DrawingFormat format = formatOf(sheet.path);
+  auto* const write = format == DrawingFormat::Svg   ? &floorplanToSvg
+                      : format == DrawingFormat::Pdf ? &floorplanToPdf
+                                                     : &floorplanToDxf;
+  writeWhole(sheet.path, sheet.section
+                             ? drawSection(plan, *sheet.section, format, settings)
+                             : write(plan, settings));
 }
 
 } // namespace pcl::sedr::tools

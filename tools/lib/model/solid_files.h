@@ -33,17 +33,29 @@ std::vector<std::string> originComments(const Origin& origin);
 /** @brief As checkSolidOutput(), for a drawing: .svg, .pdf or .dxf. */
 void checkDrawingOutput(const std::string& path);
 
+/** @brief Returns the format of a drawing by the extension of its file. */
+DrawingFormat formatOf(const std::string& path);
+
 /** @brief A drawing to write: its file and its content. */
 struct DrawingSheet {
   std::string path;
-  std::optional<PlanStorey> storey; ///< empty: the whole plan
+  std::optional<PlanStorey> storey{}; ///< empty: the whole plan
+  DrawingView view = DrawingView::Floor;
+  std::optional<SectionLine> section{}; ///< instead of the plan
 };
 
 /** @brief Returns one sheet named `path` for a plan with one storey, else one per
  * storey with its number before the extension: plan_1.svg, plan_2.svg. */
-std::vector<DrawingSheet> drawingSheets(const std::string& path, const Floorplan& plan);
+std::vector<DrawingSheet> drawingSheets(const std::string& path,
+                                        const Floorplan& plan,
+                                        DrawingView view = DrawingView::Floor);
 
-/** @brief Writes a drawing of the sheet's storey. */
+/** @brief Returns the drawings of a model, in all formats: plan and ceiling plan of
+ * each storey, a section through most rooms, and one through the stairs if they were
+ * seen. */
+std::vector<DrawingSheet> allDrawings(const Floorplan& plan);
+
+/** @brief Writes a drawing. The settings hold but for storey and view. */
 void saveDrawing(const DrawingSheet& sheet,
                  const Floorplan& plan,
                  DrawingSettings settings = {});

@@ -4,7 +4,7 @@
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_segmentation/src/openings/opening_search.h"
-#include "sedr_surface/src/drawing/text_spot.h"
+#include "sedr_surface/src/sheet/text_spot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -359,6 +359,12 @@
     ['floorplan#.dxf', 'drawing in metres, with dimensions', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
     ['floorplan#.pdf', 'drawing to scale, to print', 'any PDF viewer'],
     ['floorplan#.svg', 'the same drawing, to edit', 'any browser, Inkscape, Illustrator'],
+    ['ceiling#.dxf', 'reflected ceiling plan in metres', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
+    ['ceiling#.pdf', 'reflected ceiling plan to scale', 'any PDF viewer'],
+    ['ceiling#.svg', 'the same, to edit', 'any browser, Inkscape, Illustrator'],
+    ['section_.*.dxf', 'section in metres', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
+    ['section_.*.pdf', 'section to scale', 'any PDF viewer'],
+    ['section_.*.svg', 'the same section, to edit', 'any browser, Inkscape, Illustrator'],
     ['model.glb', 'sharp model for the web, glTF 2.0', 'Blender, three.js, Windows 3D Viewer, most viewers online'],
     ['solid.obj', 'sharp model, grouped by storey, room and element', 'Blender, SketchUp, Rhino, MeshLab'],
     ['solid.ply', 'sharp model, coloured by label', 'MeshLab, CloudCompare, Blender'],
@@ -372,7 +378,7 @@
 
   function files(section) {
     const rows = knownFiles.flatMap(([name, what, opens]) => {
-      const pattern = new RegExp('^' + name.replace('.', '\\.').replace('#', '(_\\d+)?') + '$'); // # a storey's number
+      const pattern = new RegExp('^' + name.replace(/\.(?=\w+$)/, '\\.').replace('#', '(_\\d+)?') + '$'); // # a storey's number
       return data.files.filter(file => pattern.test(file)).map(file => ({ file, what, opens }));
     });
     section.querySelector('.wide').append(table([['file', row => make('a', { href: row.file }, row.file), 'text'],

@@ -87,6 +87,7 @@ drawings(const PlanDocument& file)
   DrawingSettings settings;
   settings.max_wall = file.max_wall;
   settings.paper = PaperSize::A4;
+  settings.wall_numbers = true; // warnings name them
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
     settings.storey = storeys.size() > 1 ? &storey : nullptr;

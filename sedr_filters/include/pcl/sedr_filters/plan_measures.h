@@ -50,6 +50,10 @@ std::vector<PlanStorey> storeysOf(const Floorplan& plan);
 /** @brief Returns the storey number of each room, by PlanRoom::id. */
 std::map<std::uint32_t, std::uint32_t> storeyOfRooms(const Floorplan& plan);
 
+/** @brief Returns the height of the main floor over half of a storey's area: pits and
+ * landings have heights of their own. */
+double usualFloor(const Floorplan& plan, const PlanStorey& storey);
+
 /** @brief Returns the part of a plan that belongs to a storey: its rooms, and the
  * openings and stairs that touch one of them. */
 Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);

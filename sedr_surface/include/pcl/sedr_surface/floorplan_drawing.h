@@ -16,6 +16,10 @@ namespace pcl::sedr {
 /** @brief Paper sizes of ISO 216, from small to large. */
 enum class PaperSize { A4, A3, A2, A1, A0 };
 
+/** @brief What a sheet of a plan shows: the floor, seen from above, or the ceiling, as
+ * in a mirror on the floor. */
+enum class DrawingView { Floor, Ceiling };
+
 /** @brief How a plan is drawn. */
 struct DrawingSettings {
   /** World metres per paper metre: 50 for 1:50. 0: the largest scale of a scale ruler
@@ -28,8 +32,10 @@ struct DrawingSettings {
   const PlanStorey* storey = nullptr;
   Origin origin{};                 ///< origin of the coordinates
   PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
-  std::string title{};             ///< "": "Floor plan"
-  std::string client{};            ///< of the title block, as are the next ones
+  DrawingView view = DrawingView::Floor;
+  bool wall_numbers = false; ///< write those of walls, as warnings name them
+  std::string title{};       ///< "": "Floor plan", "Reflected ceiling plan"
+  std::string client{};      ///< of the title block, as are the next ones
   std::string project{};
   std::string date{};
   std::string drawn_by{};
@@ -43,11 +49,16 @@ struct DrawingSettings {
  * Steps of the floor and niches are thin lines. Dotted lines show where a sloping
  * ceiling is 1.5 and 2.3 m above the floor.
  *
- * Texts give number, area and height of rooms, lengths of walls, radii, sizes of
+ * Texts give number, area, height and level of rooms, lengths of walls, radii, sizes of
  * columns and openings, heights of details, eaves and ridges. Texts overlap neither
- * each other nor walls; those without space are left out. Chains of dimensions, by wall
- * and overall, surround the plan. A strip holds title, storey, scale, scale bar and
- * north arrow. A plan with oblique walls is rotated to the sheet's axes.
+ * each other nor walls; those without space are left out. Chains of dimensions, by
+ * outer opening, by wall and overall, surround the plan. A strip holds title, storey,
+ * scale, scale bar and north arrow. A plan with oblique walls is rotated to the sheet's
+ * axes.
+ *
+ * Of the ceiling a sheet shows steps, ridges, hips and valleys, contour lines of vaults
+ * and domes, arrows up slopes with their angle, the height of each part and the area of
+ * each ceiling, those of the solid.
  *
  * @param plan fitted plan; without rooms the page is empty */
 std::string floorplanToSvg(const Floorplan& plan, const DrawingSettings& settings = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ceiling_lines.h"
+#include "surface_lines.h"
 
 #include "sedr_filters/src/base/number_text.h"
 
@@ -16,15 +16,14 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double min_step = 0.03;       ///< metres
-constexpr double min_angle = M_PI / 30; ///< 6 degrees
-constexpr double beside = 0.05;         ///< where facets are asked for, metres
-constexpr double border_error = 0.1;    ///< of facets, by their cells, metres
-constexpr double shortest = 8;          ///< line, millimetres of paper
-constexpr int outside = -2;             ///< of the room
+constexpr double min_step = 0.03;    ///< metres
+constexpr double beside = 0.05;      ///< where facets are asked for, metres
+constexpr double border_error = 0.1; ///< of facets, by their cells, metres
+constexpr double shortest = 8;       ///< line, millimetres of paper
+constexpr int outside = -2;          ///< of the room
 
-/** @brief What lies to the left and to the right of a place of a line: details of the
- * ceiling, -1 for the main one; and whether they differ there. */
+/** @brief What lies to the left and to the right of a place of a line: details, -1 for
+ * the main slab; and whether they differ there. */
 struct Sides {
   int left = outside;
   int right = outside;
@@ -47,20 +46,22 @@ struct Border {
   bool isCrease() const { return 2 * crease > length; }
 };
 
-/** @brief Finds the lines of a room's ceiling. */
+/** @brief Finds the lines of a room's ceiling or floor. */
 class LineFinder {
 public:
-  LineFinder(const PlanRoom& room, double finest)
+  LineFinder(const PlanRoom& room, RoomSurface surface, double finest)
       : room_(room)
+      , is_floor_(surface == RoomSurface::Floor)
+      , details_(is_floor_ ? room.floor_details : room.details)
       , lookup_(room)
       , finest_(finest)
   {}
 
-  CeilingLines find()
+  SurfaceLines find()
   {
-    for (std::size_t d = 0; d < room_.details.size(); ++d) {
-      addLoop(d, room_.details[d].boundary);
-      for (const PlanLoop& hole : room_.details[d].holes)
+    for (std::size_t d = 0; d < details_.size(); ++d) {
+      addLoop(d, details_[d].boundary);
+      for (const PlanLoop& hole : details_[d].holes)
         addLoop(d, hole);
     }
     findParts();
@@ -78,25 +79,36 @@ public:
   }
 
 private:
-  /** @brief Returns what is beside an edge of a detail that is seen from below. */
+  const PlanSlab& slab(int detail) const
+  {
+    return is_floor_ ? room_.floorSlab(detail) : room_.ceilingSlab(detail);
+  }
+
+  int detailAt(const Eigen::Vector2d& p) const
+  {
+    return is_floor_ ? lookup_.floorDetailAt(p) : lookup_.detailAt(p);
+  }
+
+  /** @brief Returns what is beside an edge of a detail that is seen. */
   Sides sidesOf(std::size_t detail, const PlanElement& edge, double s) const
   {
     const Eigen::Vector2d place = edge.pointAt(s);
     const Eigen::Vector2d off = beside * edge.normalAt(s);
     if (!lookup_.contains(place + off) || !lookup_.contains(place - off))
       return {};
-    Sides sides{lookup_.detailAt(place + off), lookup_.detailAt(place - off)};
+    Sides sides{detailAt(place + off), detailAt(place - off)};
     if (sides.left == sides.right ||
         std::max(sides.left, sides.right) != static_cast<int>(detail))
       return {};
-    const PlanSlab& a = room_.ceilingSlab(sides.left);
-    const PlanSlab& b = room_.ceilingSlab(sides.right);
+    const PlanSlab& a = slab(sides.left);
+    const PlanSlab& b = slab(sides.right);
     const double step = std::abs(a.heightAt(place) - b.heightAt(place));
     const Eigen::Vector3d up = a.normalAt(place);
     const Eigen::Vector3d other = b.normalAt(place);
     const double angle = std::acos(std::clamp(up.dot(other), -1.0, 1.0));
     // How fast the two part beside the line in which they meet.
     const Eigen::Vector2d slopes = up.head<2>() / up.z() - other.head<2>() / other.z();
+    const double min_angle = is_floor_ ? M_PI / 90 : M_PI / 30; // 2 and 6 degrees
     sides.differ = step > min_step || angle > min_angle;
     sides.is_crease =
         angle > min_angle && step < min_step + border_error * slopes.norm();
@@ -163,8 +175,8 @@ private:
   std::vector<Eigen::Vector2d> onIntersection(const Sides& sides,
                                               std::vector<Eigen::Vector2d> line) const
   {
-    const PlanSlab& a = room_.ceilingSlab(sides.left);
-    const PlanSlab& b = room_.ceilingSlab(sides.right);
+    const PlanSlab& a = slab(sides.left);
+    const PlanSlab& b = slab(sides.right);
     if (a.curve || b.curve)
       return line;
     // Where their difference of heights is zero.
@@ -184,13 +196,14 @@ private:
   {
     constexpr double level = 0.05; // metres
     constexpr double falls = 0.02; // slope
-    const PlanSlab& slab = room_.ceilingSlab(sides.left);
+    const PlanSlab& one = slab(sides.left);
     const Eigen::Vector2d middle = line.pointAt(line.length() / 2);
     const Eigen::Vector2d off = beside * line.normalAt(line.length() / 2);
-    if (std::abs(slab.heightAt(line.start) - slab.heightAt(line.end)) > level)
+    if (is_floor_ ||
+        std::abs(one.heightAt(line.start) - one.heightAt(line.end)) > level)
       return "";
     const auto rise = [&](const Eigen::Vector2d& to) {
-      const PlanSlab& there = room_.ceilingSlab(lookup_.detailAt(middle + to));
+      const PlanSlab& there = slab(detailAt(middle + to));
       return (there.heightAt(middle + to) - there.heightAt(middle)) / beside;
     };
     const double a = rise(off);
@@ -200,7 +213,7 @@ private:
     if (!is_ridge && !is_valley)
       return "";
     return (is_ridge ? "ridge " : "valley ") +
-           decimalText(slab.heightAt(middle) - room_.floorAt(middle), 2);
+           decimalText(one.heightAt(middle) - room_.floorAt(middle), 2);
   }
 
   std::size_t partOf(int detail) const
@@ -212,29 +225,49 @@ private:
    * of one, so that lines between parts end nowhere but at others and at walls. */
   void findParts()
   {
-    DisjointSets<std::size_t> sets(room_.details.size() + 1);
+    DisjointSets<std::size_t> sets(details_.size() + 1);
     for (const auto& [sides, border] : borders_)
       if (2 * border.different <= border.length)
         sets.join(static_cast<std::size_t>(sides.first + 1),
                   static_cast<std::size_t>(sides.second + 1));
-    for (std::size_t k = 0; k <= room_.details.size(); ++k)
+    for (std::size_t k = 0; k <= details_.size(); ++k)
       found_.part.push_back(sets.find(k));
   }
 
   const PlanRoom& room_;
+  bool is_floor_;
+  const std::vector<PlanDetail>& details_;
   RoomLookup lookup_;
   double finest_;
-  CeilingLines found_;
+  SurfaceLines found_;
   std::map<std::pair<int, int>, Border> borders_; ///< by both details, lower first
   std::set<std::size_t> drawn_;                   ///< parts with a line
 };
 
 } // namespace
 
-CeilingLines
-ceilingLines(const PlanRoom& room, double finest)
+std::vector<std::size_t>
+SurfaceLines::largest(const std::vector<PlanDetail>& details) const
 {
-  return LineFinder(room, finest).find();
+  std::map<std::size_t, std::pair<double, std::size_t>> found; // by part
+  for (std::size_t d = 0; d < details.size(); ++d) {
+    const double area = std::abs(details[d].boundary.area());
+    auto& best = found[part[d + 1]];
+    if (part[d + 1] != part.front() && area > best.first)
+      best = {area, d};
+  }
+  std::vector<std::size_t> numbers;
+  for (const auto& [of, best] : found)
+    if (best.first > 0)
+      numbers.push_back(best.second);
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+SurfaceLines
+surfaceLines(const PlanRoom& room, RoomSurface surface, double finest)
+{
+  return LineFinder(room, surface, finest).find();
 }
 
 } // namespace pcl::sedr

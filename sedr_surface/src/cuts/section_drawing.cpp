@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../drawing/label_texts.h"
+#include "../sheet/text_spot.h"
 #include "../walls/wall_band.h"
 #include "cut_drawing.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
-#include "text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/room_solid.h>
@@ -130,7 +131,7 @@ sectionOf(const Floorplan& plan,
   }
   addWalls(plan, walls, line, drawing.bodies);
   addOpenings(plan, walls, line, drawing.openings);
-  const double zero = plan.rooms.empty() ? 0 : storeysOf(plan)[0].floor;
+  const double zero = plan.rooms.empty() ? 0 : usualFloor(plan, storeysOf(plan)[0]);
   for (const CutRoom& cut : rooms)
     for (const PlanLoop& loop : cut.loops) {
       for (const double sign : {1.0, -1.0})
@@ -142,10 +143,8 @@ sectionOf(const Floorplan& plan,
         for (const PlanElement& part : cutAtGaps(e, drawing.openings)) {
           const bool is_floor = !isUpright(part) && part.start.y() - floor < 0.01 &&
                                 part.end.y() - floor < 0.01 && part.length() > 0.5;
-          const double level = floor - zero;
-          drawing.lines.push_back(
-              {part, PlanLayer::Wall, cut.room->id,
-               is_floor ? (level < 0 ? "" : "+") + decimalText(level, 2) : ""});
+          drawing.lines.push_back({part, PlanLayer::Wall, cut.room->id,
+                                   is_floor ? levelText(floor - zero) : ""});
         }
       const Eigen::Vector2d spot = textSpotIn(loop, {}).place;
       const Eigen::Vector2d at =
@@ -153,9 +152,7 @@ sectionOf(const Floorplan& plan,
       drawing.labels.push_back(
           {PlanLayer::Room,
            loop,
-           {cut.room->name.empty()
-                ? "Room " + std::to_string(cut.room->id)
-                : std::to_string(cut.room->id) + " " + cut.room->name,
+           {titleOf(*cut.room),
             "h " + decimalText(cut.room->ceilingAt(at) - cut.room->floorAt(at), 2) +
                 " m"}});
     }
@@ -169,8 +166,9 @@ sectionOf(const Floorplan& plan,
                    std::to_string(std::count_if(
                        rooms.begin(), rooms.end(),
                        [](const CutRoom& cut) { return !cut.loops.empty(); })),
-                   "Dimensions in metres, from face to face. Levels above the lowest "
-                   "floor. Slabs and roofs of which one side was seen: 0.20 m assumed.",
+                   "Dimensions in metres, from face to face. Levels above the usual "
+                   "floor of the lowest storey. Slabs and roofs of which one side was "
+                   "seen: 0.20 m assumed.",
                    false};
   complete(drawing, settings);
   return drawing;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ceiling_faces.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <algorithm>
@@ -11,20 +13,6 @@
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief Returns the lines in plan along which the ceiling of a room is `height`
- * metres above its floor, as under a roof; exact for planes, to some millimetres below
- * vaults. They end at the borders of details and within 5 cm of walls; those that
- * extend over less than 0.5 m are left out. Empty if the ceiling is level. */
-std::vector<PlanElement> heightLines(const PlanRoom& room, double height);
-
-/** @brief Returns the minimum and maximum height of the ceiling above the floor,
- * metres: at eaves and ridge. Details below a fiftieth of the room do not count. */
-std::pair<double, double> heightRange(const PlanRoom& room);
-
-/** @brief Returns "eaves 1.05" for a wall from which a sloping ceiling rises, if level
- * along the wall; empty for others. The height is above the floor beside the wall. */
-std::string eavesText(const PlanRoom& room, const PlanElement& wall);
 
 /** @brief Calls `use(part, value)` for the parts of an element along which `value(s)`
  * of the distance from its start is the same; in order.
@@ -67,30 +55,30 @@ forEachPart(const PlanElement& element, Value value, Use use)
 std::vector<std::vector<Eigen::Vector2d>>
 chained(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& segments);
 
-/** @brief A line of a ceiling in plan. */
-struct CeilingLine {
-  PlanElement element;
-  bool is_crease = false; ///< two surfaces meet in it; otherwise it is a step
-  std::string text{};     ///< "ridge 4.35" or "valley 2.90"; usually empty
-};
+/** @brief Which surface of a room. */
+enum class RoomSurface { Ceiling, Floor };
 
-/** @brief The lines of a ceiling, and the parts between them. */
-struct CeilingLines {
+/** @brief The lines of a ceiling or floor, and the parts between them. */
+struct SurfaceLines {
   std::vector<CeilingLine> lines;
-  /** Of the main ceiling, then of each detail: a number that those of one part have in
-   * common; that of the main ceiling for parts without a line. */
+  /** Of the main slab, then of each detail: a number that those of one part have in
+   * common; that of the main slab for parts without a line. */
   std::vector<std::size_t> part;
+
+  /** @brief Returns the largest detail of each part but that of the main slab. */
+  std::vector<std::size_t> largest(const std::vector<PlanDetail>& details) const;
 };
 
-/** @brief Returns the lines between the parts of a room's ceiling: along most of the
- * border of two details, or of the main ceiling and one, they differ by a step of 3 cm
- * or an angle of 6 degrees, else they are of one part.
+/** @brief Returns the lines between the parts of a room's ceiling or floor: along most
+ * of the border of two details, or of the main slab and one, they differ by a step of
+ * 3 cm or an angle of 6 degrees (of a floor 2, as ramps are flatter than roofs), else
+ * they are of one part.
  *
- * A line is where the upper one of both details in PlanRoom::details has its edge.
+ * A line is where the upper one of both details in the room's list has its edge.
  * Segments are straightened; where two planes meet, the line is that of their
  * intersection. Arcs stay arcs.
  * @param finest metres that a millimetre of paper stands for: lines are straightened by
  * that much, and those that extend over less than eight of them are left out */
-CeilingLines ceilingLines(const PlanRoom& room, double finest);
+SurfaceLines surfaceLines(const PlanRoom& room, RoomSurface surface, double finest);
 
 } // namespace pcl::sedr

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../drawing/label_texts.h"
 #include "cut_drawing.h"
 #include "sedr_filters/src/base/number_text.h"
 
@@ -133,7 +134,7 @@ elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& set
   drawing.title = {
       "Interior elevations",
       "Room",
-      std::to_string(id) + (room->name.empty() ? "" : " " + room->name),
+      titleOf(*room),
       "Walls",
       std::to_string(room->boundary.elements.size()),
       "Dimensions in metres. Walls as seen from the room, unrolled, numbered "

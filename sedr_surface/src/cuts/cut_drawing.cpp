@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cut_drawing.h"
+
+#include "../dxf/floorplan_dxf.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief Returns the chain of places along a side, without those that are nearly the
+ * same. */
+DimensionChain
+chainOf(const Eigen::Vector2d& side, const std::set<double>& at, double off)
+{
+  DimensionChain chain{side, {}};
+  for (const double place : at)
+    chain.places.push_back(side.y() != 0 ? Eigen::Vector2d(place, off)
+                                         : Eigen::Vector2d(off, place));
+  dropSmallSteps(chain, min_step);
+  return chain;
+}
+
+} // namespace
+
+bool
+isUpright(const PlanElement& e)
+{
+  constexpr double cosine = 0.1; // 84 degrees
+  return std::abs(e.end.x() - e.start.x()) < cosine * e.length();
+}
+
+PlanLoop
+rectangleOf(double left, double right, double bottom, double top)
+{
+  return loopOf({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+}
+
+void
+complete(CutDrawing& drawing, const DrawingSettings& settings)
+{
+  constexpr double min_face = 0.5; // metres; less has no dimension
+  std::set<double> along;
+  std::set<double> heights;
+  Eigen::AlignedBox2d rooms;
+  for (const PlanLoop& outline : drawing.outlines) {
+    rooms.extend(sedr::boundsOf(outline));
+    for (const PlanElement& e : outline.elements) {
+      if (e.length() < min_face)
+        continue;
+      if (isUpright(e))
+        along.insert({e.start.x(), e.end.x()});
+      else if (std::abs(e.end.y() - e.start.y()) < 0.01)
+        heights.insert(e.start.y());
+    }
+  }
+  std::vector<DimensionRow> rows;
+  const auto addRow = [&](const DimensionChain& chain, double off) {
+    if (chain.places.size() > 1)
+      rows.push_back({chain, off});
+  };
+  constexpr double first = 9; // millimetres from the drawing, and to the next row
+  constexpr double second = 17;
+  const Eigen::Vector2d low = rooms.min();
+  addRow(chainOf({0, -1}, along, low.y()), first);
+  addRow(chainOf({0, -1}, {low.x(), rooms.max().x()}, low.y()), second);
+  addRow(chainOf({-1, 0}, heights, low.x()), first);
+  addRow(chainOf({-1, 0}, {low.y(), rooms.max().y()}, low.x()), second);
+  Eigen::AlignedBox2d all = rooms;
+  for (const PlanLoop& body : drawing.bodies)
+    all.extend(sedr::boundsOf(body));
+  drawing.layout = layoutOf(all, spaceOf(rows), settings);
+  const PlanFrame& frame = drawing.layout.frame;
+  TextPlaces places(drawing.layout.size);
+  drawing.dimensions =
+      placedRows(rows, {frame(all.min()), frame(all.max())}, frame, places);
+  for (const PlanLine& line : drawing.lines)
+    places.keepOff(frame(line.element));
+  drawing.texts = placedLabels(drawing.labels, drawing.lines, frame, places);
+}
+
+std::string
+written(const CutDrawing& drawing,
+        DrawingFormat format,
+        const DrawingSettings& settings)
+{
+  if (format == DrawingFormat::Dxf)
+    return dxfOf(drawing);
+  const Sheet sheet = cutSheet(drawing, settings);
+  return format == DrawingFormat::Svg ? sheetSvg(sheet) : sheetPdf(sheet);
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../drawing/plan_drawing.h"
+#include "../mesh/mesh_outlines.h"
+
+#include <pcl/sedr_surface/floorplan_drawing.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Returns whether an element of an outline is upright. */
+bool isUpright(const PlanElement& e);
+
+PlanLoop rectangleOf(double left, double right, double bottom, double top);
+
+/** @brief Adds dimensions, layout and texts to a drawing with outlines and bodies:
+ * breadths below, heights on the left, both overall. */
+void complete(CutDrawing& drawing, const DrawingSettings& settings);
+
+std::string written(const CutDrawing& drawing,
+                    DrawingFormat format,
+                    const DrawingSettings& settings);
+
+} // namespace pcl::sedr

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_gaps.h"
+
+#include "sedr_filters/src/plan/plan_segment.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief Returns the thickness of the wall of an opening that leads outside; the depth
+ * of others. */
+double
+depthOf(const Floorplan& plan,
+        const std::vector<PlanWall>& walls,
+        const PlanOpening& opening)
+{
+  if (!opening.leadsOutside())
+    return opening.depth;
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+  for (const PlanWall& wall : walls)
+    for (const OpeningWall& in : opening.walls) {
+      const double s = elementOf(plan, wall.face).project(middle);
+      if (!wall.other && wall.face.loop == 0 && wall.face.element == in.element &&
+          plan.rooms[wall.face.room].id == in.room && s >= wall.stretch.from &&
+          s <= wall.stretch.to)
+        return wall.thickness;
+    }
+  return opening.depth;
+}
+
+/** @brief Returns whether an opening has no lintel in any of its rooms. */
+bool
+reachesCeiling(const Floorplan& plan, const PlanOpening& opening)
+{
+  constexpr double beside = 0.05; // metres
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+  return std::none_of(
+      opening.walls.begin(), opening.walls.end(), [&](const OpeningWall& in) {
+        const PlanRoom* const room = findRoom(plan, in.room);
+        if (!room || in.element >= room->boundary.elements.size())
+          return false;
+        const auto [face, inward] =
+            faceAt(room->boundary.elements[in.element],
+                   room->boundary.elements[in.element].project(middle));
+        return opening.top < room->ceilingAt(face + beside * inward) - beside;
+      });
+}
+
+/** @brief Returns the gap of an opening, from the face that was seen on. */
+OpeningGap
+gapOf(const Floorplan& plan, const PlanOpening& opening, double depth)
+{
+  const Eigen::Vector2d way = (opening.end - opening.start) / opening.width();
+  const Eigen::Vector2d left(-way.y(), way.x());
+  const double beyond = depth - opening.depth / 2; // from the middle of the wall
+  const Eigen::Vector2d to_left =
+      (opening.rooms[0] == 0 ? beyond : opening.depth / 2) * left;
+  const Eigen::Vector2d to_right =
+      (opening.rooms[0] == 0 ? opening.depth / 2 : beyond) * left;
+  OpeningGap gap;
+  gap.corners = {opening.start + to_left, opening.end + to_left, opening.end - to_right,
+                 opening.start - to_right};
+  gap.mark = markOf(opening);
+  gap.width = opening.width();
+  gap.height = opening.height();
+  gap.kind = opening.kind;
+  gap.has_faces = opening.kind == OpeningKind::Window;
+  gap.sill = sillOf(plan, opening);
+  for (const OpeningLeaf& door : leavesOf(opening)) {
+    PlanElement swing = segment(door.open, door.shut);
+    swing.centre = door.hinge;
+    swing.radius = (door.open - door.hinge).norm();
+    const Eigen::Vector2d to_shut = door.shut - door.hinge;
+    const Eigen::Vector2d to_open = door.open - door.hinge;
+    swing.counter_clockwise = to_open.x() * to_shut.y() > to_open.y() * to_shut.x();
+    gap.leaf.insert(gap.leaf.end(), {segment(door.hinge, door.open), swing});
+  }
+  return gap;
+}
+
+} // namespace
+
+std::vector<PlanElement>
+fillingOf(const OpeningGap& gap)
+{
+  std::vector<double> shares; // of the depth of the wall
+  if (!gap.has_filling)
+    return {};
+  if (gap.kind == OpeningKind::Window)
+    shares = {0.4, 0.6};
+  if (gap.kind == OpeningKind::Door && gap.leaf.empty())
+    shares = {0.5};
+  std::vector<PlanElement> lines;
+  for (const double share : shares)
+    lines.push_back(
+        segment(gap.corners[0] + share * (gap.corners[3] - gap.corners[0]),
+                gap.corners[1] + share * (gap.corners[2] - gap.corners[1])));
+  return lines;
+}
+
+std::vector<PlanElement>
+linesOf(const OpeningGap& gap)
+{
+  const auto& c = gap.corners;
+  std::vector<PlanElement> lines{segment(c[0], c[3]), segment(c[1], c[2])};
+  if (gap.has_faces)
+    lines.insert(lines.end(), {segment(c[0], c[1]), segment(c[3], c[2])});
+  const std::vector<PlanElement> filling = fillingOf(gap);
+  lines.insert(lines.end(), filling.begin(), filling.end());
+  lines.insert(lines.end(), gap.leaf.begin(), gap.leaf.end());
+  return lines;
+}
+
+namespace {
+
+/** @brief Returns the distance of a place from the line or circle of an element. */
+double
+offLine(const PlanElement& e, const Eigen::Vector2d& p)
+{
+  return e.isArc()
+             ? std::abs((p - e.centre).norm() - e.radius)
+             : Eigen::Hyperplane<double, 2>::Through(e.start, e.end).absDistance(p);
+}
+
+} // namespace
+
+std::vector<PlanElement>
+cutAtGaps(const PlanElement& element, const std::vector<OpeningGap>& gaps)
+{
+  constexpr double on_face = 0.05; // metres between an arc and the end of its opening
+  constexpr double shortest = 1e-4;
+  if (element.length() < shortest)
+    return {element};
+  std::vector<std::pair<double, double>> cuts;
+  for (const OpeningGap& gap : gaps)
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(3, 2)})
+      if (offLine(element, gap.corners[a]) < on_face &&
+          offLine(element, gap.corners[b]) < on_face)
+        cuts.push_back(std::minmax(
+            {element.project(gap.corners[a]), element.project(gap.corners[b])}));
+  std::sort(cuts.begin(), cuts.end());
+  cuts.emplace_back(element.length(), element.length());
+  std::vector<PlanElement> parts;
+  double from = 0;
+  for (const auto& [start, end] : cuts) {
+    if (start - from > shortest)
+      parts.push_back(
+          from == 0 && start == element.length() ? element : element.part(from, start));
+    from = std::max(from, end);
+  }
+  return parts;
+}
+
+std::vector<OpeningGap>
+openingGaps(const Floorplan& plan, const std::vector<PlanWall>& walls, DrawingView view)
+{
+  std::vector<OpeningGap> gaps;
+  for (const PlanOpening& opening : plan.openings) {
+    OpeningGap& gap =
+        gaps.emplace_back(gapOf(plan, opening, depthOf(plan, walls, opening)));
+    if (view == DrawingView::Floor)
+      continue;
+    gap.leaf.clear();
+    gap.has_filling = false;
+    gap.has_faces = !reachesCeiling(plan, opening);
+  }
+  return gaps;
+}
+
+} // namespace pcl::sedr
