@@ -71,8 +71,8 @@ complete(CutDrawing& drawing, const DrawingSettings& settings)
   addRow(chainOf({-1, 0}, heights, low.x()), first);
   addRow(chainOf({-1, 0}, {low.y(), rooms.max().y()}, low.x()), second);
   Eigen::AlignedBox2d all = rooms;
-  for (const PlanLoop& body : drawing.bodies)
-    all.extend(sedr::boundsOf(body));
+  for (const Drawing::Body& body : drawing.bodies)
+    all.extend(sedr::boundsOf(body.area.boundary));
   drawing.layout = layoutOf(all, spaceOf(rows), settings);
   const PlanFrame& frame = drawing.layout.frame;
   TextPlaces places(drawing.layout.size);
@@ -89,7 +89,7 @@ written(const CutDrawing& drawing,
         const DrawingSettings& settings)
 {
   if (format == DrawingFormat::Dxf)
-    return dxfOf(drawing);
+    return dxfOf(drawing, settings);
   const Sheet sheet = cutSheet(drawing, settings);
   return format == DrawingFormat::Svg ? sheetSvg(sheet) : sheetPdf(sheet);
 }

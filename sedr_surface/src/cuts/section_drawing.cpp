@@ -57,7 +57,7 @@ shifted(PlanLoop loop, double up)
 /** @brief Adds what hangs down into a cut room, such as a beam, up to the ceiling on
  * both sides of it. */
 void
-addBeams(const PlanLoop& loop, std::vector<PlanLoop>& bodies)
+addBeams(const PlanLoop& loop, std::vector<PlanArea>& bodies)
 {
   const std::vector<PlanElement>& all = loop.elements;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -67,7 +67,7 @@ addBeams(const PlanLoop& loop, std::vector<PlanLoop>& bodies)
     if (isUpright(down) && isUpright(up) && all[k].end.x() < all[k].start.x() &&
         top > all[k].start.y())
       bodies.push_back(
-          rectangleOf(all[k].end.x(), all[k].start.x(), all[k].start.y(), top));
+          {rectangleOf(all[k].end.x(), all[k].start.x(), all[k].start.y(), top)});
   }
 }
 
@@ -76,7 +76,7 @@ void
 addWalls(const Floorplan& plan,
          const std::vector<PlanWall>& walls,
          const SectionLine& line,
-         std::vector<PlanLoop>& bodies)
+         std::vector<PlanArea>& bodies)
 {
   for (const PlanWall& wall : walls) {
     const PlanElement& face = elementOf(plan, wall.face);
@@ -87,8 +87,8 @@ addWalls(const Floorplan& plan,
       constexpr double beside = 0.02; // metres
       const auto [at, inward] = faceAt(face, face.project(middle));
       const Eigen::Vector2d inside = at + beside * inward;
-      bodies.push_back(rectangleOf(from, to, room.floorAt(inside) - assumed_slab,
-                                   room.ceilingAt(inside) + assumed_slab));
+      bodies.push_back({rectangleOf(from, to, room.floorAt(inside) - assumed_slab,
+                                    room.ceilingAt(inside) + assumed_slab)});
     }
   }
 }
@@ -129,14 +129,18 @@ sectionOf(const Floorplan& plan,
     extrudeRoom(room, {}, solid, elements);
     rooms.push_back({&room, cutOf(solid, line)});
   }
-  addWalls(plan, walls, line, drawing.bodies);
+  std::vector<PlanArea> bodies;
+  std::vector<PlanArea> open;
+  addWalls(plan, walls, line, bodies);
   addOpenings(plan, walls, line, drawing.openings);
   const double zero = plan.rooms.empty() ? 0 : usualFloor(plan, storeysOf(plan)[0]);
   for (const CutRoom& cut : rooms)
     for (const PlanLoop& loop : cut.loops) {
       for (const double sign : {1.0, -1.0})
-        drawing.bodies.push_back(shifted(loop, sign * slabAbove(loop, rooms, sign)));
-      addBeams(loop, drawing.bodies);
+        bodies.push_back({shifted(loop, sign * slabAbove(loop, rooms, sign))});
+      addBeams(loop, bodies);
+      if (loop.area() > 0)
+        open.push_back({loop});
       drawing.outlines.push_back(loop);
       const double floor = boundsOf(loop).min().y();
       for (const PlanElement& e : loop.elements)
@@ -156,6 +160,7 @@ sectionOf(const Floorplan& plan,
             "h " + decimalText(cut.room->ceilingAt(at) - cut.room->floorAt(at), 2) +
                 " m"}});
     }
+  drawing.addBodies(bodies, open, false);
   const auto place = [](const Eigen::Vector2d& p) {
     return decimalText(p.x(), 2) + ", " + decimalText(p.y(), 2);
   };

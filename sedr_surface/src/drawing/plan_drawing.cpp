@@ -5,6 +5,7 @@
 #include "../walls/wall_band.h"
 #include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -39,13 +40,14 @@ public:
     addWalls(room);
   }
 
-  /** @brief Fills a wall, lightly if its thickness was assumed. */
-  void addBody(const Floorplan& plan, const PlanWall& wall)
+  /** @brief Fills walls and slabs, lightly where their thickness was assumed. */
+  void addBodies()
   {
-    const PlanArea band = bandOf(plan, wall);
-    std::vector<PlanLoop> loops = band.holes;
-    loops.push_back(band.boundary);
-    addArea(wall.isAssumed() ? looks::assumed_body : looks::wall_body, loops);
+    for (const Drawing::Body& body : drawing_.bodies) {
+      std::vector<PlanLoop> loops = body.area.holes;
+      loops.push_back(body.area.boundary);
+      addArea(body.is_assumed ? looks::assumed_body : looks::wall_body, loops);
+    }
   }
 
   /** @brief Draws the far sides of walls, over all bodies. */
@@ -154,6 +156,17 @@ titleTextsOf(const PlanDrawing& drawing)
 
 } // namespace
 
+void
+Drawing::addBodies(const std::vector<PlanArea>& areas,
+                   std::vector<PlanArea> open,
+                   bool is_assumed)
+{
+  for (const OpeningGap& gap : openings)
+    open.push_back({loopOf({gap.corners.begin(), gap.corners.end()})});
+  for (const PlanArea& part : partsOutside(areas, open))
+    bodies.push_back({part, is_assumed});
+}
+
 PlanDrawing::PlanDrawing(const Floorplan& whole,
                          const DrawingSettings& settings,
                          double finest)
@@ -163,14 +176,26 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   Floorplan numbered = whole;
   numberOpenings(numbered);
   plan = settings.storey ? partOf(numbered, *settings.storey) : std::move(numbered);
-  if (plan.rooms.empty())
+  if (plan.rooms.empty()) {
+    title = titleTextsOf(*this);
     return;
+  }
   const PlanFrame& frame = layout.frame;
   const std::vector<RoomSurfaces> surfaces =
       surfacesOf(plan, finest > 0 ? finest : 1 / frame.scale);
   walls = findWalls(plan, {settings.max_wall});
   lines = planLines(plan, walls, surfaces, view);
   openings = openingGaps(plan, walls, view);
+  std::vector<PlanArea> rooms;
+  for (const PlanRoom& room : plan.rooms)
+    rooms.push_back({room.boundary, room.columns});
+  for (const bool is_assumed : {false, true}) {
+    std::vector<PlanArea> bands;
+    for (const PlanWall& wall : walls)
+      if (wall.isAssumed() == is_assumed)
+        bands.push_back(bandOf(plan, wall));
+    addBodies(bands, rooms, is_assumed);
+  }
   for (const RoomSurfaces& room : surfaces) {
     const CeilingFaces& ceiling = room.faces;
     area += view == DrawingView::Floor ? ceiling.room.area() : ceiling.area();
@@ -193,12 +218,13 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   const double zero = usualFloor(whole, storeysOf(whole).front());
   texts = placedTexts(plan, surfaces, lines, openings, frame,
                       {view, zero, settings.wall_numbers}, places);
+  title = titleTextsOf(*this);
 }
 
 Sheet
 planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
 {
-  const TitleTexts texts = titleTextsOf(drawing);
+  const TitleTexts& texts = drawing.title;
   Sheet sheet;
   sheet.size = drawing.layout.size;
   sheet.title = (settings.title.empty() ? texts.usual_title : settings.title) +
@@ -210,8 +236,7 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
     return sheet;
   PlanPainter painter(sheet, drawing);
   sheet.add(SheetGroup{"walls"});
-  for (const PlanWall& wall : drawing.walls)
-    painter.addBody(drawing.plan, wall);
+  painter.addBodies();
   painter.addFarSides();
   for (const PlanRoom& room : drawing.plan.rooms) {
     sheet.add(SheetGroup{"room_" + std::to_string(room.id)});
@@ -239,8 +264,7 @@ cutSheet(const CutDrawing& drawing, const DrawingSettings& settings)
   sheet.size = drawing.layout.size;
   sheet.title = drawing.title.usual_title;
   PlanPainter painter(sheet, drawing);
-  for (const PlanLoop& body : drawing.bodies)
-    painter.addArea(looks::wall_body, {body});
+  painter.addBodies();
   for (const PlanLoop& outline : drawing.outlines)
     painter.addArea(looks::room, {outline});
   for (const PlanLine& line : drawing.lines) {

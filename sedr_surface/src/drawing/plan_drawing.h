@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../walls/plan_area.h"
 #include "plan_texts.h"
 #include "sheet_layout.h"
 #include "title_block.h"
@@ -11,13 +12,26 @@ namespace pcl::sedr {
 
 /** @brief What a drawing shows, whatever its format. */
 struct Drawing {
+  /** @brief What is cut, without what is open in it; metres. */
+  struct Body {
+    PlanArea area;
+    bool is_assumed = false; ///< the thickness of a wall
+  };
+
   DrawingView view = DrawingView::Floor;
   SheetLayout layout;
   std::vector<PlanLoop> outlines; ///< of rooms, metres, as the next two
+  std::vector<Body> bodies;
   std::vector<PlanLine> lines;
   std::vector<OpeningGap> openings;
   std::vector<SheetDimension> dimensions; ///< beside it, on the sheet
   PlanTexts texts;                        ///< on the sheet
+  TitleTexts title;
+
+  /** @brief Adds the parts of areas that are in none of `open` and in no opening. */
+  void addBodies(const std::vector<PlanArea>& areas,
+                 std::vector<PlanArea> open,
+                 bool is_assumed);
 };
 
 /** @brief A drawing of a plan, or of one of its storeys. */
@@ -30,11 +44,9 @@ struct PlanDrawing : Drawing {
   PlanDrawing(const Floorplan& whole, const DrawingSettings& settings, double finest);
 };
 
-/** @brief A drawing of cut solids: what is filled below its outlines. */
+/** @brief A drawing of cut solids. */
 struct CutDrawing : Drawing {
-  std::vector<PlanLoop> bodies; ///< of walls and slabs, metres
-  std::vector<DrawingLabel> labels{};
-  TitleTexts title{};
+  std::vector<DrawingLabel> labels;
 };
 
 /** @brief Returns the drawing as a sheet. */

@@ -165,10 +165,9 @@ private:
   void place(const Eigen::Vector2d& size)
   {
     layout_.size = size;
-    const Eigen::Vector2d low(margin_left, margin + title_height);
-    const Eigen::Vector2d high = size - Eigen::Vector2d::Constant(margin);
-    const Eigen::Vector2d middle = (low + space_.min() + high - space_.max()) / 2;
-    layout_.frame.shift = middle - layout_.frame.scale * bounds_.center();
+    layout_.frame.shift = drawingSpaceOf(layout_).center() +
+                          (space_.min() - space_.max()) / 2 -
+                          layout_.frame.scale * bounds_.center();
   }
 
   const DrawingSettings& settings_;

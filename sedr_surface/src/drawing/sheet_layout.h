@@ -52,6 +52,15 @@ struct SheetLayout {
   PlanFrame frame;      ///< maps the plan to the sheet, y up
 };
 
+/** @brief Returns the part of a sheet above its title block, within its frame. */
+inline Eigen::AlignedBox2d
+drawingSpaceOf(const SheetLayout& layout)
+{
+  using namespace sheet_measures;
+  return {Eigen::Vector2d(margin_left, margin + title_height),
+          layout.size - Eigen::Vector2d::Constant(margin)};
+}
+
 /** @brief Chooses the largest usual scale at which every storey fits the paper with its
  * dimensions, in either orientation. With a given scale, chooses the smallest usual
  * paper from the given size on. Portrait is used only if it allows a larger scale or

@@ -55,7 +55,10 @@ DxfText&
 DxfBlock::begin(const char* type, const char* layer, const char* kind)
 {
   entities_.group(0, type).group(5, handles_.next()).group(330, record_);
-  return entities_.group(100, "AcDbEntity").group(8, layer).group(100, kind);
+  entities_.group(100, "AcDbEntity");
+  if (name_ == paper_space)
+    entities_.group(67, 1);
+  return entities_.group(8, layer).group(100, kind);
 }
 
 void
@@ -115,14 +118,38 @@ DxfBlock::outline(const char* layer, const PlanLoop& loop)
 }
 
 void
+DxfBlock::hatch(const char* layer, const PlanArea& area)
+{
+  constexpr double chord = 1e-4;
+  constexpr int solid = 1;
+  constexpr int outer_polyline = 1 + 2;
+  constexpr int polyline = 2;
+  std::vector<PlanLoop> loops{area.boundary};
+  loops.insert(loops.end(), area.holes.begin(), area.holes.end());
+  begin("HATCH", layer, "AcDbHatch").place({0, 0});
+  entities_.group(210, 0.0).group(220, 0.0).group(230, 1.0).group(2, "SOLID");
+  entities_.group(70, solid).group(71, 0).group(91, static_cast<int>(loops.size()));
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const std::vector<Eigen::Vector2d> corners = loops[k].polygon(chord);
+    entities_.group(92, k == 0 ? outer_polyline : polyline).group(72, 0).group(73, 1);
+    entities_.group(93, static_cast<int>(corners.size()));
+    for (const Eigen::Vector2d& corner : corners)
+      entities_.group(10, corner.x()).group(20, corner.y());
+    entities_.group(97, 0);
+  }
+  entities_.group(75, 0).group(76, 1).group(98, 0);
+}
+
+void
 DxfBlock::label(const char* layer,
                 const Eigen::Vector2d& at,
                 double height,
                 const std::string& text,
-                double degrees)
+                double degrees,
+                bool begins_there)
 {
   begin("TEXT", layer, "AcDbText").place(at).group(40, height).group(1, lineOf(text));
-  entities_.group(50, degrees).group(72, 1).place(at, 11);
+  entities_.group(50, degrees).group(72, begins_there ? 0 : 1).place(at, 11);
   entities_.group(100, "AcDbText").group(73, 2);
 }
 
@@ -260,15 +287,16 @@ DxfFile::tables(const Eigen::AlignedBox2d& bounds)
   dimensions.group(40, 1.0).group(41, text_height_).group(42, text_height_ / 4);
   dimensions.group(44, text_height_ / 2).group(77, 1).group(140, text_height_);
   std::vector<DxfText> blocks;
-  const auto addRecord = [&](const DxfBlock& block) {
+  const auto addRecord = [&](const DxfBlock& block, const std::string& of_layout) {
     DxfText text;
     text.group(0, "BLOCK_RECORD").group(5, block.record());
     text.group(100, "AcDbSymbolTableRecord").group(100, "AcDbBlockTableRecord");
-    blocks.push_back(text.group(2, block.name()).group(340, "0"));
+    blocks.push_back(text.group(2, block.name()).group(340, of_layout));
   };
-  addRecord(model_);
-  addRecord(paper_);
-  std::for_each(blocks_.begin(), blocks_.end(), addRecord);
+  addRecord(model_, model_layout_);
+  addRecord(paper_, paper_layout_);
+  for (const DxfBlock& block : blocks_)
+    addRecord(block, "0");
   return DxfText()
       .append(table("VPORT", {view}))
       .append(table("LTYPE", types))
@@ -288,14 +316,7 @@ DxfFile::text(const Eigen::AlignedBox2d& bounds,
   DxfText blocks = model_.definition(false).append(paper_.definition(false));
   for (const DxfBlock& block : blocks_)
     blocks.append(block.definition(true));
-  const std::string root = handles_.next();
-  const std::string groups = handles_.next();
-  DxfText objects;
-  objects.group(0, "DICTIONARY").group(5, root).group(330, "0");
-  objects.group(100, "AcDbDictionary").group(281, 1);
-  objects.group(3, "ACAD_GROUP").group(350, groups);
-  objects.group(0, "DICTIONARY").group(5, groups).group(330, root);
-  objects.group(100, "AcDbDictionary").group(281, 1);
+  const DxfText dictionaries = objects();
   const DxfText all = tables(bounds);
   DxfText file;
   for (const std::string& comment : comments)
@@ -304,8 +325,8 @@ DxfFile::text(const Eigen::AlignedBox2d& bounds,
       .append(section("CLASSES", {}))
       .append(section("TABLES", all))
       .append(section("BLOCKS", blocks))
-      .append(section("ENTITIES", model_.entities()))
-      .append(section("OBJECTS", objects))
+      .append(section("ENTITIES", DxfText(model_.entities()).append(paper_.entities())))
+      .append(section("OBJECTS", dictionaries))
       .group(0, "EOF")
       .text();
 }

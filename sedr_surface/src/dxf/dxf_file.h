@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../walls/plan_area.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/floorplan.h>
@@ -43,6 +44,8 @@ private:
   std::string text_;
 };
 
+constexpr const char* paper_space = "*Paper_Space"; ///< block of the layout
+
 /** @brief Numbers of the objects of a file, hexadecimal. */
 struct DxfHandles {
   unsigned last = 0;
@@ -69,13 +72,28 @@ public:
   /** @brief Adds a loop as one closed polyline, arcs as bulges. */
   void outline(const char* layer, const PlanLoop& loop);
 
-  /** @brief Adds a line of text centred at a place, `height` metres high.
+  /** @brief Adds a filled area; arcs become chords within 0.1 mm. */
+  void hatch(const char* layer, const PlanArea& area);
+
+  /** @brief Adds a line of text about a place, `height` units high.
    * @param text UTF-8 */
   void label(const char* layer,
              const Eigen::Vector2d& at,
              double height,
              const std::string& text,
-             double degrees = 0);
+             double degrees = 0,
+             bool begins_there = false);
+
+  /** @brief What a viewport on paper shows: a box of the paper, and the model there. */
+  struct View {
+    Eigen::AlignedBox2d box;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< of it, in the turned model
+    double height = 1;                                ///< of it, in the model
+    double degrees = 0; ///< that the model is turned by, counter-clockwise
+  };
+
+  /** @param number 1: of the paper itself */
+  void viewport(const char* layer, const View& view, int number);
 
   /** @brief A dimension that programs measure again, metres. */
   struct Dimension {
@@ -141,6 +159,16 @@ public:
 
   DxfBlock& model() { return model_; }
 
+  /** @brief Returns the layout for printing, in millimetres. */
+  DxfBlock& paper() { return paper_; }
+
+  /** @brief Sets its name and size. */
+  void setPaper(const std::string& name, const Eigen::Vector2d& size)
+  {
+    paper_name_ = name;
+    paper_size_ = size;
+  }
+
   /** @brief Adds a block; references to it remain valid.
    * @param flags 1: of a dimension, 2: it has attributes */
   DxfBlock& addBlock(const std::string& name, int flags);
@@ -153,12 +181,23 @@ private:
   DxfText tables(const Eigen::AlignedBox2d& bounds);
   DxfText table(const char* name, const std::vector<DxfText>& records);
   DxfText record(const char* type, const char* kind, const std::string& name);
+  DxfText objects();
+
+  /** @param layout handle of it */
+  DxfText layout(const std::string& layout,
+                 const std::string& owner,
+                 const std::string& name,
+                 const DxfBlock& block) const;
 
   std::vector<DxfLayer> layers_;
   double text_height_;
   DxfHandles handles_;
   DxfBlock model_{handles_, "*Model_Space"};
-  DxfBlock paper_{handles_, "*Paper_Space"};
+  DxfBlock paper_{handles_, paper_space};
+  std::string model_layout_ = handles_.next();
+  std::string paper_layout_ = handles_.next();
+  std::string paper_name_ = "A3";
+  Eigen::Vector2d paper_size_{420, 297};
   std::deque<DxfBlock> blocks_;
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_dxf.h"
 #include "../drawing/plan_layers.h"
+#include "../drawing/title_block.h"
 #include "dxf_file.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
@@ -10,12 +12,16 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace pcl::sedr {
 namespace {
 
 constexpr const char* area_layer = "A-AREA";
+constexpr const char* hatch_layer = "A-WALL-PATT";
+constexpr const char* title_layer = "A-ANNO-TTLB";
+constexpr const char* view_layer = "A-ANNO-NPLT"; ///< frames of viewports
 constexpr double letters = 0.72; ///< height of capital letters over the font size
 
 std::vector<DxfLayer>
@@ -28,16 +34,22 @@ dxfLayers(DrawingView view)
         {style.dxf_name, style.dxf_colour, style.is_dashed, style.line.width});
   }
   layers.push_back({area_layer, 9, false, 0, false}); // it runs through openings
+  layers.push_back({hatch_layer, 9, false, 0});
+  layers.push_back({title_layer, 7, false, 0});
+  layers.push_back({view_layer, 8, false, 0, false});
   return layers;
 }
 
 /** @brief Writes a drawing as DXF, in the coordinates of the plan. */
 class DxfWriter {
 public:
-  explicit DxfWriter(const Drawing& drawing)
+  DxfWriter(const Drawing& drawing, const DrawingSettings& settings)
       : frame_(drawing.layout.frame)
       , file_(dxfLayers(drawing.view), heightOf(small_font))
   {
+    for (const Drawing::Body& body : drawing.bodies)
+      if (!body.is_assumed)
+        model_.hatch(hatch_layer, body.area);
     for (const PlanLoop& outline : drawing.outlines)
       model_.outline(area_layer, outline);
     for (const PlanLine& line : drawing.lines)
@@ -53,14 +65,17 @@ public:
     for (const auto* dimensions : {&drawing.dimensions, &drawing.texts.walls})
       for (const SheetDimension& dimension : *dimensions)
         addDimension(dimension);
+    addPaper(drawing, settings);
   }
 
-  /** @brief Adds a text `rows` rows below a box. */
-  void addBelow(const Eigen::AlignedBox2d& box, const std::string& text, double rows)
+  /** @brief Adds lines of text below a place on the sheet. */
+  void addBelow(Eigen::Vector2d place, const std::vector<std::string>& lines)
   {
-    const double height = heightOf(large_font);
-    model_.label(styleOf(PlanLayer::Note).dxf_name,
-                 {box.center().x(), box.min().y() - 2 * rows * height}, height, text);
+    for (const std::string& line : lines) {
+      place.y() -= 2 * large_font;
+      model_.label(styleOf(PlanLayer::Note).dxf_name, frame_.toPlan(place),
+                   heightOf(large_font), line, degreesInPlan({}));
+    }
   }
 
   std::string text(const Eigen::AlignedBox2d& bounds, const Origin& origin)
@@ -83,6 +98,42 @@ private:
   double degreesInPlan(const SheetText& text) const
   {
     return text.degrees - frame_.turn * 180 / M_PI;
+  }
+
+  /** @brief Adds the layout for printing: the title block of the sheet, and the model
+   * to scale above it. */
+  void addPaper(const Drawing& drawing, const DrawingSettings& settings)
+  {
+    const SheetLayout& layout = drawing.layout;
+    if (drawing.outlines.empty())
+      return;
+    file_.setPaper(layout.paper, layout.size);
+    DxfBlock& paper = file_.paper();
+    paper.viewport(
+        view_layer,
+        {{Eigen::Vector2d(0, 0), layout.size}, layout.size / 2, layout.size.y()}, 1);
+    DxfBlock::View view{drawingSpaceOf(layout)};
+    view.middle = Eigen::Rotation2Dd(frame_.turn) * frame_.toPlan(view.box.center());
+    view.height = view.box.sizes().y() / frame_.scale;
+    view.degrees = frame_.turn * 180 / M_PI;
+    paper.viewport(view_layer, view, 2);
+    Sheet title;
+    addTitleBlock(title, layout, settings, drawing.title);
+    for (const Sheet::Item& item : title.items) {
+      if (const auto* path = std::get_if<SheetPath>(&item))
+        for (PlanLoop chain : path->chains) {
+          if (path->is_closed)
+            chain.elements.push_back(
+                segment(chain.elements.back().end, chain.elements.front().start));
+          if (path->look.fill == ink)
+            paper.hatch(title_layer, {chain});
+          for (const PlanElement& line : chain.elements)
+            paper.element(title_layer, line);
+        }
+      if (const auto* text = std::get_if<SheetText>(&item))
+        paper.label(title_layer, text->place, letters * text->font, text->text,
+                    text->degrees, text->anchor == TextAnchor::Start);
+    }
   }
 
   /** @brief Adds a block of an opening, with its first corner at the origin and along
@@ -153,30 +204,36 @@ private:
 } // namespace
 
 std::string
-dxfOf(const Drawing& drawing)
+dxfOf(const Drawing& drawing, const DrawingSettings& settings)
 {
   Eigen::AlignedBox2d bounds;
   for (const PlanLoop& outline : drawing.outlines)
     bounds.extend(boundsOf(outline));
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
-  return DxfWriter(drawing).text(bounds, {});
+  return DxfWriter(drawing, settings).text(bounds, {});
 }
 
 std::string
 floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
 {
   constexpr double finest = 0.02; // whatever the sheet: a CAD program zooms in
-  constexpr double below = 5;     // rows, beyond the dimensions
   const PlanDrawing drawing(whole, settings, finest);
-  Eigen::AlignedBox2d bounds = boundsOf(whole, findWalls(whole, {settings.max_wall}));
+  const std::vector<PlanWall> walls = findWalls(whole, {settings.max_wall});
+  Eigen::AlignedBox2d bounds = boundsOf(whole, walls);
   if (bounds.isEmpty())
     bounds.extend(Eigen::Vector2d(0, 0));
-  DxfWriter writer(drawing);
+  DxfWriter writer(drawing, settings);
+  const Eigen::AlignedBox2d on_sheet = boundsOf(whole, walls, drawing.layout.frame);
+  Eigen::Vector2d below(on_sheet.center().x(), on_sheet.min().y());
+  for (const SheetDimension& d : drawing.dimensions)
+    below.y() = std::min(below.y(), d.start.y() - large_font);
+  std::vector<std::string> lines;
   if (settings.storey)
-    writer.addBelow(bounds, settings.storey->name, below);
+    lines.push_back(settings.storey->name);
   if (!settings.origin.isZero())
-    writer.addBelow(bounds, "origin " + settings.origin.text(", ") + " m", below + 1);
+    lines.push_back("origin " + settings.origin.text(", ") + " m");
+  writer.addBelow(below, lines);
   return writer.text(bounds, settings.origin);
 }
 

@@ -8,6 +8,6 @@
 namespace pcl::sedr {
 
 /** @brief Returns a drawing without a plan, such as a section, as DXF. */
-std::string dxfOf(const Drawing& drawing);
+std::string dxfOf(const Drawing& drawing, const DrawingSettings& settings);
 
 } // namespace pcl::sedr

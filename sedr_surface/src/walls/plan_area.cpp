@@ -24,13 +24,14 @@ using GridPolygons = std::vector<bp::polygon_with_holes_data<int>>;
 constexpr double chord = 5e-5;    ///< metres between an arc and its chords
 constexpr double off_line = 1e-4; ///< metres
 
-/** @brief Returns a grid that an area and others are on. */
+/** @brief Returns a grid that all areas are on. */
 PlanGrid
-gridAround(const PlanArea& area, const std::vector<PlanArea>& others)
+gridAround(const std::vector<PlanArea>& areas, const std::vector<PlanArea>& others)
 {
-  Eigen::AlignedBox2d box = boundsOf(area.boundary);
-  for (const PlanArea& other : others)
-    box.extend(boundsOf(other.boundary));
+  Eigen::AlignedBox2d box;
+  for (const auto* some : {&areas, &others})
+    for (const PlanArea& area : *some)
+      box.extend(boundsOf(area.boundary));
   return box.isEmpty() ? PlanGrid() : PlanGrid(box);
 }
 
@@ -74,31 +75,40 @@ outlineOf(const Points& points, const PlanGrid& grid, bool is_hole)
 double
 commonArea(const PlanArea& a, const PlanArea& b)
 {
-  const PlanGrid grid = gridAround(a, {b});
+  const PlanGrid grid = gridAround({a}, {b});
   bp::polygon_set_data<int> set = setOf(a, grid);
   set &= setOf(b, grid);
   return bp::area(set) * grid.unit() * grid.unit();
 }
 
+std::vector<PlanArea>
+partsOutside(const std::vector<PlanArea>& areas, const std::vector<PlanArea>& others)
+{
+  const PlanGrid grid = gridAround(areas, others);
+  bp::polygon_set_data<int> set;
+  for (const PlanArea& area : areas)
+    set |= setOf(area, grid);
+  for (const PlanArea& other : others)
+    set -= setOf(other, grid);
+  GridPolygons found;
+  set.get(found);
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return bp::area(a) > bp::area(b);
+  });
+  std::vector<PlanArea> parts;
+  for (const auto& polygon : found) {
+    PlanArea& part = parts.emplace_back(PlanArea{outlineOf(polygon, grid, false)});
+    for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole)
+      part.holes.push_back(outlineOf(*hole, grid, true));
+  }
+  return parts;
+}
+
 PlanArea
 largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others)
 {
-  const PlanGrid grid = gridAround(area, others);
-  bp::polygon_set_data<int> set = setOf(area, grid);
-  for (const PlanArea& other : others)
-    set -= setOf(other, grid);
-  GridPolygons parts;
-  set.get(parts);
-  if (parts.empty())
-    return {};
-  const auto largest =
-      std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
-        return bp::area(a) < bp::area(b);
-      });
-  PlanArea part{outlineOf(*largest, grid, false)};
-  for (auto hole = largest->begin_holes(); hole != largest->end_holes(); ++hole)
-    part.holes.push_back(outlineOf(*hole, grid, true));
-  return part;
+  const std::vector<PlanArea> parts = partsOutside({area}, others);
+  return parts.empty() ? PlanArea() : parts.front();
 }
 
 TriangleMesh
@@ -108,7 +118,7 @@ triangulated(const PlanArea& area,
   std::vector<PlanArea> extent;
   for (const auto& [from, to] : lines)
     extent.push_back({{{segment(from, to)}}});
-  const PlanGrid grid = gridAround(area, extent);
+  const PlanGrid grid = gridAround({area}, extent);
   std::vector<GridSegment> segments;
   const auto addLoop = [&](const PlanLoop& loop) {
     const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);

@@ -22,9 +22,14 @@ struct PlanArea {
  * extent of both. O(n log n). */
 double commonArea(const PlanArea& a, const PlanArea& b);
 
-/** @brief Returns the largest connected part of an area that is in none of `others`, of
- * straight segments; empty if nothing is left. Corners are left out where none is more
- * than 0.1 mm off the outline. Places are rounded as by commonArea(). O(n log n). */
+/** @brief Returns the connected parts of what is in any of some areas and in none of
+ * `others`, of straight segments, the largest first. Corners are left out where none is
+ * more than 0.1 mm off the outline. Places are rounded as by commonArea().
+ * O(n log n). */
+std::vector<PlanArea> partsOutside(const std::vector<PlanArea>& areas,
+                                   const std::vector<PlanArea>& others);
+
+/** @brief Returns the largest of the parts of an area; empty if nothing is left. */
 PlanArea largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others);
 
 /** @brief Triangulates an area at z = 0 so that no triangle crosses any of `lines`.

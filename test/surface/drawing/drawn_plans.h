@@ -62,6 +62,8 @@ outlinedArea(const std::string& dxf)
       close();
       is_outline = value == "LWPOLYLINE";
     }
+    else if (code == "8")
+      is_outline = is_outline && value == "A-AREA";
     else if (is_outline && code == "10")
       corners.emplace_back(std::stod(value), 0);
     else if (is_outline && code == "20")

@@ -330,7 +330,8 @@ class Outputs(unittest.TestCase):
         # Edges of soffit, platform and niche that lie on walls are not drawn twice.
         self.assertEqual(dict(kinds), {("LWPOLYLINE", "A-AREA"): 2, ("LINE", "A-WALL"): 7, ("ARC", "A-WALL"): 1,
                                  ("LINE", "A-WALL-GUES"): 6, ("ARC", "A-WALL-GUES"): 1, ("CIRCLE", "A-COLS"): 1, ("LINE", "A-COLS"): 4, ("LINE", "A-CLNG"): 1,
-                                 ("LINE", "A-FLOR-LEVL"): 1, ("LINE", "A-WALL-NICH"): 3})
+                                 ("LINE", "A-FLOR-LEVL"): 1, ("LINE", "A-WALL-NICH"): 3,
+                                 ("HATCH", "A-WALL-PATT"): 1})
         for layer in ("A-WALL", "A-WALL-NICH", "A-COLS", "A-DOOR", "A-CLNG", "A-CLNG-RIDG", "A-CLNG-HEAD",
                       "A-CLNG-IDEN", "A-FLOR-LEVL", "A-AREA", "A-AREA-IDEN", "A-ANNO-DIMS", "A-ANNO-TEXT"):
             self.assertIn(layer, drawing.layers)
@@ -371,6 +372,39 @@ class Outputs(unittest.TestCase):
         for text in ("Room 1", "Room 2", "%.2f m²" % exact, "15.00 m²", "h 3.00 m", "R 2.00",
                      "2.60", "+0.30", "Ø 0.80", "0.50 x 0.50"):
             self.assertIn(text, texts)
+
+    def test_layout_and_hatches_in_dxf(self):
+        """What is hatched is the wall between the rooms; the layout has the title block and the model to scale."""
+        try:
+            import ezdxf
+        except ImportError:
+            self.skipTest("python3-ezdxf is not installed")
+        plan = sample_plan()
+        plan["openings"] = [{"kind": "passage", "rooms": [2, 1], "walls": [{"room": 2, "element": 0}, {"room": 1, "element": 2}],
+                             "start": [3, 4.05], "end": [4, 4.05], "bottom": 0, "top": 2, "depth": 0.1, "hinge": "unknown",
+                             "state": "unknown"}]
+        with open(self.path("hatched.json"), "w") as file:
+            json.dump(plan, file)
+        self.run_tool(DRAWING, self.path("hatched.json"), self.path("hatched.dxf"), "--scale", "50", "--client", "Smith")
+        drawing = ezdxf.readfile(self.path("hatched.dxf"))
+        audit = drawing.audit()
+        self.assertEqual((audit.errors, audit.fixes), ([], []))
+
+        def area(path):
+            corners = [v[:2] for v in path.vertices]
+            return abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(corners, corners[1:] + corners[:1]))) / 2
+
+        hatches = drawing.modelspace().query("HATCH[layer=='A-WALL-PATT']")
+        self.assertEqual([len(h.paths) for h in hatches], [1, 1], "parted by the passage")
+        self.assertAlmostEqual(sum(area(h.paths[0]) for h in hatches), 4.1 * 0.1, 4, "to the middle of the corner")
+        sheet = drawing.layout("Sheet")
+        texts = [t.dxf.text for t in sheet.query("TEXT")]
+        for text in ("Smith", "1:50 A3", "Floor plan"):
+            self.assertIn(text, texts)
+        paper, view = sheet.query("VIEWPORT")
+        self.assertEqual((paper.dxf.width, paper.dxf.height), (420, 297))
+        self.assertAlmostEqual(view.dxf.height / view.dxf.view_height, 20, 6, "millimetres a metre at 1:50")
+        self.assertAlmostEqual(view.dxf.view_center_point[0], 4, 0, "the middle of the plan")
 
     def test_openings_in_dxf(self):
         """Walls end at openings, which are blocks with attributes; texts are UTF-8."""

@@ -77,7 +77,7 @@ Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& sett
  * the page on drawings. Rooms are closed polylines with bulges, walls and columns LINE,
  * ARC and CIRCLE, openings blocks with attributes in gaps of their walls, lengths
  * DIMENSION. Text heights are those of the sheet at its scale.
- * @param settings title is not used */
+ * The layout "Sheet" has the title block and shows the model to scale. */
 std::string floorplanToDxf(const Floorplan& plan, const DrawingSettings& settings = {});
 
 enum class DrawingFormat { Svg, Pdf, Dxf };
