@@ -39,7 +39,7 @@ class IfcSchema(unittest.TestCase):
             instances = step_reader.read(write(TOOL, house(), self.folder, *options))
             self.assertEqual(self.problems(instances), [])
             kinds = {name for name, _ in instances.values()}
-            for kind in ("SPACE", "WALL", "SLAB", "COLUMN", "BEAM", "OPENINGELEMENT", "MAPCONVERSION",
+            for kind in ("SPACE", "WALL", "WALLTYPE", "SLAB", "COLUMN", "BEAM", "OPENINGELEMENT", "MAPCONVERSION",
                          "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID"):
                 self.assertIn("IFC" + kind, kinds)
             self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "faceted" not in options)

@@ -113,8 +113,21 @@ TEST(WriteIfc, WallsAreExternalUnlessRoomsLieBehindThem)
   EXPECT_EQ(external(".F."), 1u + 1u + 1u) << "a window leads out into it";
   const IfcModel model = writeIfc(plan);
   EXPECT_EQ(linesOf(model.text, "IFCWINDOWTYPE").size(), 1u);
-  EXPECT_EQ(linesOf(model.text, "IFCRELDEFINESBYTYPE").size(), 1u);
   EXPECT_EQ(count(linesOf(model.text, "IFCWINDOW").at(0), ",'W1',1.,1.,"), 1u);
+}
+
+TEST(WriteIfc, WallsOfOneThicknessAreOfOneType)
+{
+  const IfcModel model = writeIfc(twoRooms()); // 6 outer walls, one between the rooms
+  const auto types = linesOf(model.text, "IFCWALLTYPE");
+  ASSERT_EQ(types.size(), 2u);
+  EXPECT_EQ(count(types[0] + types[1], "'Outer wall 0.20 assumed'"), 1u);
+  EXPECT_EQ(count(types[0] + types[1], "'Wall 0.10'"), 1u);
+  EXPECT_EQ(count(model.text, "'Reference',$,IFCIDENTIFIER('Outer wall 0.20 assumed')"),
+            6u);
+  const auto relations = linesOf(model.text, "IFCRELDEFINESBYTYPE");
+  ASSERT_EQ(relations.size(), 2u);
+  EXPECT_EQ(count(relations[0], "#"), 6u + 1u) << "walls and type";
 }
 
 TEST(WriteIfc, AStairHasItsFlights)

@@ -33,6 +33,10 @@ expectSolidAndDrawings(const std::string& model, const nlohmann::json& told)
   EXPECT_NE(bytesOf(model + "solid.mtl").find("newmtl wall"), std::string::npos);
   EXPECT_NE(bytesOf(model + "floorplan.svg").find("Room 1"), std::string::npos);
   EXPECT_NE(bytesOf(model + "floorplan.dxf").find("AC1027"), std::string::npos);
+  EXPECT_NE(bytesOf(model + "ceiling.svg").find(">ceiling 12.0"), std::string::npos);
+  EXPECT_NE(bytesOf(model + "section_rooms.svg").find(">h 2.5"), std::string::npos);
+  for (const char* name : {"ceiling.pdf", "ceiling.dxf", "section_rooms.dxf"})
+    EXPECT_TRUE(std::filesystem::exists(model + name)) << name;
   const std::string ifc = bytesOf(model + "model.ifc");
   EXPECT_NE(ifc.find("FILE_SCHEMA(('IFC4'))"), std::string::npos);
   EXPECT_NE(ifc.find("=IFCSPACE("), std::string::npos);

@@ -166,6 +166,22 @@ IfcDocument::relate(const std::string& type,
 }
 
 void
+IfcDocument::addToType(const std::string& type,
+                       const std::string& name,
+                       StepRef element,
+                       const std::vector<StepValue>& more)
+{
+  Type& known = types_[name];
+  if (known.ref.isNone()) {
+    std::vector<StepValue> attributes{guid(name), none, name, none, none,
+                                      none,       none, none, none};
+    attributes.insert(attributes.end(), more.begin(), more.end());
+    known.ref = step.add(type, attributes);
+  }
+  known.elements.push_back(element);
+}
+
+void
 IfcDocument::addProperties(StepRef object,
                            const std::string& object_name,
                            const std::string& set,
@@ -231,6 +247,8 @@ IfcDocument::finish()
       relate("IFCRELCONTAINEDINSPATIALSTRUCTURE", "elements of " + name,
              storey.elements, storey.ref);
   }
+  for (const auto& [name, type] : types_)
+    relate("IFCRELDEFINESBYTYPE", "elements of " + name, type.elements, type.ref);
 }
 
 StepValue

@@ -8,6 +8,7 @@
 #include <pcl/sedr_surface/room_solid.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -86,6 +87,15 @@ public:
                      const std::string& set,
                      const std::vector<Quantity>& quantities);
 
+  /** @brief Makes an element one of a type, which is written once.
+   * @param type such as "IFCDOORTYPE"
+   * @param name of the type
+   * @param more attributes that follow those of all types */
+  void addToType(const std::string& type,
+                 const std::string& name,
+                 StepRef element,
+                 const std::vector<StepValue>& more);
+
   /** @brief Adds a relation between two objects; its GlobalId is made from its name. */
   StepRef relate(const std::string& type,
                  const std::string& name,
@@ -104,15 +114,22 @@ public:
   /** @brief Returns a shape of one body. */
   StepRef shapeOf(const IfcBody& body, const std::string& colour);
 
-  /** @brief Adds the relations of spaces and elements to their storeys. */
+  /** @brief Adds the relations of spaces and elements to their storeys and types. */
   void finish();
 
 private:
+  struct Type {
+    StepRef ref;
+    std::vector<StepRef> elements;
+  };
+
   void addProject(const Origin& origin);
   StepRef addUnits();
   void addMapConversion(StepRef context, const Origin& origin);
   void addStoreys(StepRef building, StepRef building_placement);
   void addRooms();
+
+  std::map<std::string, Type> types_; ///< by name
 };
 
 /** @brief Returns a size rounded to a millimetre, an area or volume alike. */

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -170,20 +169,7 @@ public:
     describe(opening, wall, filling);
   }
 
-  /** @brief Relates the fillings to their types. */
-  void finish()
-  {
-    for (const auto& [name, type] : types_)
-      document_.relate("IFCRELDEFINESBYTYPE", "fillings of " + name, type.fillings,
-                       type.ref);
-  }
-
 private:
-  struct Type {
-    StepRef ref;
-    std::vector<StepRef> fillings;
-  };
-
   static const char* operationOf(const PlanOpening& opening)
   {
     const std::string leaf = leafOf(opening);
@@ -225,23 +211,16 @@ private:
     const std::string name = kind + " " + decimalText(opening.width(), 2) + " x " +
                              decimalText(opening.height(), 2) +
                              (leaf.empty() ? "" : " " + leaf);
-    Type& type = types_[name];
-    if (type.ref.isNone())
-      type.ref = kind == "Door"
-                     ? document_.step.add("IFCDOORTYPE",
-                                          {document_.guid(name), none, name, none, none,
-                                           none, none, none, none, symbol("DOOR"),
-                                           symbol(operationOf(opening)), none, none})
-                     : document_.step.add("IFCWINDOWTYPE",
-                                          {document_.guid(name), none, name, none, none,
-                                           none, none, none, none, symbol("WINDOW"),
-                                           symbol("NOTDEFINED"), none, none});
-    type.fillings.push_back(filling);
+    if (kind == "Door")
+      document_.addToType("IFCDOORTYPE", name, filling,
+                          {symbol("DOOR"), symbol(operationOf(opening)), none, none});
+    else
+      document_.addToType("IFCWINDOWTYPE", name, filling,
+                          {symbol("WINDOW"), symbol("NOTDEFINED"), none, none});
     return name;
   }
 
   IfcDocument& document_;
-  std::map<std::string, Type> types_; ///< by name
 };
 
 /** @brief Returns whether the opening is at the boundary of both of its rooms. */
@@ -335,7 +314,6 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
       ++count;
     }
   }
-  fillings.finish();
   document.model.schedules.openings = openingRows(plan);
   if (!outside.empty())
     document.model.warnings.push_back(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../walls/wall_band.h"
 #include "ifc_parts.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "wall_body.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -104,9 +105,13 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
                           {"AREA", "NetSideArea", row.net_area},
                           {"VOLUME", "GrossVolume", row.gross_volume},
                           {"VOLUME", "NetVolume", row.net_volume}});
+  const std::string type = std::string(row.is_external ? "Outer wall " : "Wall ") +
+                           decimalText(row.thickness, 2) +
+                           (wall.isAssumed() ? " assumed" : "");
+  document.addToType("IFCWALLTYPE", type, written.ref, {symbol("NOTDEFINED")});
   document.addProperties(
       written.ref, written.name, "Pset_WallCommon",
-      {{"Reference", typed("IFCIDENTIFIER", row.number)},
+      {{"Reference", typed("IFCIDENTIFIER", type)},
        {"IsExternal", typed("IFCBOOLEAN", logical(row.is_external))}});
   std::vector<Property> properties{
       {"ThicknessAssumed", typed("IFCBOOLEAN", logical(wall.isAssumed()))},
