@@ -54,7 +54,8 @@ def runs_of(b, files, out):
     yield "floorplan_drawing", plan, [plan, out / "x.dxf"]
     yield "floorplan_extrusion", plan, [plan, out / "x.ply"]
     yield "floorplan_ifc", plan, [plan, out / "x.ifc"]
-    yield "floorplan_edit", plan, [plan, out / "x.json", "--square", "1", "--opening", "1,0,0=none"]
+    yield "floorplan_edit", plan, [plan, out / "x.json", "--square", "1", "--merge", "1,2",
+                                  "--opening", "D1,width=0.8"]
     yield "opening_detection", plan, [scan, plan, out / "x.json"]
     yield "structure_refinement", plan, [scan, plan, out / "x.pcd"]
     yield "vertical_hole_repair", plan, [scan, plan, out / "x.pcd"]

@@ -263,8 +263,12 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
   const ProgramRun result =
       run(FLOORPLAN_EDIT,
           {plan, output, "--move-wall", "1.2=-0.5", "--split", "1,2,-1,2,5", "--name",
-           "1=Kitchen;2=a=b, c", "--opening", "2,3,0=none;2,4,0=window"});
+           "1=Kitchen;2=a=b, c", "--opening", "D1,kind=none;D2,kind=window,sill=0.3"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("wall 1.2 is moved inwards by 0.500 m; room 1 has 18.00 m2 "
+                            "in place of 20.00\n"),
+            std::string::npos)
+      << result.out;
   std::string problem;
   const auto edited = pcl::sedr::floorplanFromJson(bytesOf(output), problem);
   ASSERT_EQ(edited.rooms.size(), 2U) << problem;
@@ -285,9 +289,18 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--move-wall", "1.-2=0.05"},
                               {"--split", "-1,2,-1,2,5"},
                               {"--merge", ""},
-                              {"--opening", "1,2,3"},
-                              {"--opening", "1,2=none"},
-                              {"--opening", "1,2,3=gate"},
+                              {"--opening", "D1"},
+                              {"--opening", "D1,width"},
+                              {"--opening", "D1,width=0.9m"},
+                              {"--opening", "D1,kind=gate"},
+                              {"--opening", "D1,hinge=top"},
+                              {"--add-opening", "1.1,width=0.9,height=2"},
+                              {"--add-opening", "1.1,at=2,width=0.9"},
+                              {"--remove-jog", "1"},
+                              {"--remove", "column 1"},
+                              {"--floor", "1"},
+                              {"--ceiling", "1=high"},
+                              {"--storey", "2.8"},
                               {"--merge", "1,9"}}) {
     const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
     expectSentence(refused, 1, edit[0]);
@@ -295,6 +308,9 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
     EXPECT_FALSE(std::filesystem::exists(output));
   }
   expectSentence(run(FLOORPLAN_EDIT, {plan, output}), 1, "no edit");
+  expectSentence(run(FLOORPLAN_EDIT, {plan, "--drop", "1"}), 1, "name");
+  expectSentence(run(FLOORPLAN_EDIT, {plan, output, "--undo"}), 1, "--undo");
+  expectSentence(run(FLOORPLAN_EDIT, {plan, output, "--drop", "1"}), 1, "no room");
   EXPECT_FALSE(std::filesystem::exists(output));
 }
 

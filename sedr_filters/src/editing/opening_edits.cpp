@@ -1,67 +1,190 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../walls/face_pairs.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace pcl::sedr {
 namespace {
 
-/** @brief Changes the opening of a room whose middle is nearest to a place, at most a
- * metre from it. Returns why there is none; empty if there is. */
-template <typename Change>
+constexpr double exact = 0.01; // metres; openings may reach that far beyond a wall
+
 std::string
-changeNearest(Floorplan& plan,
-              std::uint32_t room,
-              const Eigen::Vector2d& place,
-              const Change& change)
+sentenceOf(const Floorplan& plan, const PlanOpening& opening)
 {
-  double least = 1; // metres
-  auto nearest = plan.openings.end();
-  for (auto o = plan.openings.begin(); o != plan.openings.end(); ++o) {
-    const double distance = ((o->start + o->end) / 2 - place).norm();
-    if ((o->rooms[0] == room || o->rooms[1] == room) && distance <= least) {
-      nearest = o;
-      least = distance;
-    }
+  return std::string(nameOf(opening.kind)) +
+         formatText(" of %.3f x %.3f m, %.3f m above the floor", opening.width(),
+                    opening.height(), sillOf(plan, opening));
+}
+
+/** @brief Returns why an opening does not fit its walls, or an empty text. */
+std::string
+misfitOf(const Floorplan& plan, const PlanOpening& opening)
+{
+  if (!(opening.width() > 0 && opening.height() > 0))
+    return formatText("an opening of %.3f x %.3f m is none", opening.width(),
+                      opening.height());
+  for (const OpeningWall& in : opening.walls) {
+    const PlanRoom& room = *findRoom(plan, in.room);
+    const PlanElement& wall = room.boundary.elements[in.element];
+    const std::string name =
+        "wall " + std::to_string(in.room) + "." + std::to_string(in.element + 1);
+    const double middle = wall.project((opening.start + opening.end) / 2);
+    const double half = opening.width() / 2;
+    if (middle - half < -exact || middle + half > wall.length() + exact)
+      return name + formatText(" is %.3f m long, the opening would reach from %.3f to "
+                               "%.3f m along it",
+                               wall.length(), middle - half, middle + half);
+    const Eigen::Vector2d place = wall.pointAt(middle) + exact * wall.normalAt(middle);
+    if (opening.bottom < room.floorAt(place) - exact ||
+        opening.top > room.ceilingAt(place) + exact)
+      return name + formatText(" reaches from z %.3f to %.3f m, the opening would from "
+                               "%.3f to %.3f m",
+                               room.floorAt(place), room.ceilingAt(place),
+                               opening.bottom, opening.top);
+    for (const PlanOpening& other : plan.openings)
+      if (&other != &opening)
+        for (const Eigen::Vector2d& at :
+             {opening.start, opening.end,
+              Eigen::Vector2d((opening.start + opening.end) / 2)})
+          if (isAt(other, at, opening.bottom, opening.top))
+            return "it would overlap " + markOf(other);
   }
-  if (nearest == plan.openings.end())
-    return "room " + std::to_string(room) + " has no opening within 1 m of (" +
-           numberText(place.x()) + ", " + numberText(place.y()) + ")";
-  change(nearest);
+  return {};
+}
+
+/** @brief Sets kind and size of an opening; its middle and its sill stay unless they
+ * are given.
+ * @return why that is not possible, or an empty text */
+std::string
+change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
+{
+  const OpeningKind kind = to.kind.value_or(opening.kind);
+  opening.number = kind == opening.kind ? opening.number : 0;
+  opening.kind = kind;
+  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+  const Eigen::Vector2d half = to.width.value_or(opening.width()) / 2 *
+                               (opening.end - opening.start).normalized();
+  opening.start = middle - half;
+  opening.end = middle + half;
+  const double height = to.height.value_or(opening.height());
+  opening.bottom += to.sill ? *to.sill - sillOf(plan, opening) : 0;
+  opening.top = opening.bottom + height;
+  opening.rise = std::min(opening.rise, height);
+  opening.confidence = 1;
+  if (kind != OpeningKind::Door) {
+    opening.hinge = OpeningHinge::Unknown;
+    opening.swing = 0;
+    opening.state = OpeningState::Unknown;
+    return to.leaf || to.swing ? "only doors have leaves" : "";
+  }
+  const auto& rooms = opening.rooms;
+  const std::uint32_t swing = to.swing             ? *to.swing
+                              : opening.swing != 0 ? opening.swing
+                              : rooms[0] != 0      ? rooms[0]
+                                                   : rooms[1];
+  if (to.swing && swing != rooms[0] && swing != rooms[1])
+    return "room " + std::to_string(swing) + " is on neither side of it";
+  if (to.swing && !to.leaf && opening.hinge == OpeningHinge::Unknown)
+    return "its hinge must be told: left, right or double";
+  if (!to.leaf && !to.swing)
+    return {};
+  const std::string leaf = to.leaf.value_or("");
+  const bool is_first = swing == rooms[0];
+  if (leaf == "none")
+    opening.hinge = OpeningHinge::Unknown;
+  else if (leaf == "double")
+    opening.hinge = OpeningHinge::Both;
+  else if (to.leaf)
+    opening.hinge =
+        (leaf == "left") == is_first ? OpeningHinge::Start : OpeningHinge::End;
+  opening.swing = opening.hinge == OpeningHinge::Unknown ? 0 : swing;
   return {};
 }
 
 } // namespace
 
 bool
-PlanEditor::setOpening(std::uint32_t room,
-                       const Eigen::Vector2d& place,
-                       OpeningKind kind)
+PlanEditor::addOpening(std::uint32_t room,
+                       std::size_t wall,
+                       double at,
+                       const OpeningChange& size)
 {
-  return apply(room, [&](Floorplan& plan, PlanRoom&) -> std::string {
-    if (kind == OpeningKind::Unknown)
-      return "an opening is a door, a window or a passage";
-    return changeNearest(plan, room, place, [&plan, kind](auto opening) {
-      if (kind != OpeningKind::Door) {
-        opening->hinge = OpeningHinge::Unknown;
-        opening->swing = 0;
-        opening->state = OpeningState::Unknown;
+  return apply(room, wall, [&](Floorplan& plan, PlanRoom& of, std::size_t w) {
+    const PlanElement& face = of.boundary.elements[w];
+    PlanOpening opening;
+    opening.kind = size.kind.value_or(OpeningKind::Door);
+    opening.rooms[0] = room;
+    opening.walls = {{room, w}};
+    opening.depth = unseen_reveal;
+    const Eigen::Vector2d place = face.pointAt(at);
+    for (const PlanWall& known : pairFaces(plan, {max_wall_}).walls)
+      for (const bool is_face : {true, false}) {
+        const WallFace& near = is_face ? known.face : *known.other;
+        const WallFace& far = is_face ? *known.other : known.face;
+        const double s = elementOf(plan, known.face).project(place);
+        if (plan.rooms[near.room].id != room || near.element != w || near.loop != 0 ||
+            far.loop != 0 || s < known.stretch.from || s > known.stretch.to)
+          continue;
+        opening.rooms[1] = plan.rooms[far.room].id;
+        opening.walls.resize(1);
+        opening.walls.push_back({opening.rooms[1], far.element});
+        opening.depth = known.thickness;
       }
-      opening->number = opening->kind == kind ? opening->number : 0;
-      opening->kind = kind;
-      opening->confidence = 1;
-      numberOpenings(plan);
-    });
+    const Eigen::Vector2d inwards = face.normalAt(at);
+    const Eigen::Vector2d middle = place - opening.depth / 2 * inwards;
+    const Eigen::Vector2d along(inwards.y(), -inwards.x());
+    opening.start = middle - along / 2;
+    opening.end = middle + along / 2;
+    opening.bottom = of.floorAt(place + exact * inwards);
+    std::string problem = change(plan, size, opening);
+    plan.openings.push_back(opening);
+    numberOpenings(plan);
+    if (problem.empty())
+      problem = misfitOf(plan, plan.openings.back());
+    sentence_ = markOf(plan.openings.back()) + " is added to wall " +
+                std::to_string(room) + "." + std::to_string(wall) + ": a " +
+                sentenceOf(plan, plan.openings.back());
+    return problem;
   });
 }
 
 bool
-PlanEditor::closeOpening(std::uint32_t room, const Eigen::Vector2d& place)
+PlanEditor::setOpening(const std::string& number, const OpeningChange& to)
 {
-  return apply(room, [&](Floorplan& plan, PlanRoom&) {
-    return changeNearest(plan, room, place,
-                         [&plan](auto opening) { plan.openings.erase(opening); });
+  return apply([&](Floorplan& plan) -> std::string {
+    for (PlanOpening& opening : plan.openings) {
+      if (markOf(opening) != number)
+        continue;
+      const std::string before = sentenceOf(plan, opening);
+      const bool fits = misfitOf(plan, opening).empty();
+      const std::string problem = change(plan, to, opening);
+      numberOpenings(plan);
+      sentence_ = number + " was a " + before + "; " + markOf(opening) + " is a " +
+                  sentenceOf(plan, opening);
+      return problem.empty() && fits ? misfitOf(plan, opening) : problem;
+    }
+    return "the plan has no opening " + number;
+  });
+}
+
+bool
+PlanEditor::closeOpening(const std::string& number)
+{
+  return apply([&](Floorplan& plan) -> std::string {
+    const auto closed = std::find_if(
+        plan.openings.begin(), plan.openings.end(),
+        [&](const PlanOpening& opening) { return markOf(opening) == number; });
+    if (closed == plan.openings.end())
+      return "the plan has no opening " + number;
+    sentence_ = number + ", a " + sentenceOf(plan, *closed) + ", is closed";
+    plan.openings.erase(closed);
+    return {};
   });
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../walls/face_pairs.h"
 #include "plan_outlines.h"
 #include "room_references.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
 #include <array>
@@ -16,118 +16,193 @@
 namespace pcl::sedr {
 namespace {
 
-/** @brief What was set by hand was not measured: it counts as inferred in a plan that
- * tells what was of any of its walls. */
-void
-setByHand(const Floorplan& plan, PlanElement& wall)
+std::string
+nameOf(const PlanRoom& room)
 {
-  const auto isKnown = [](const PlanElement& e) { return e.evidence.isKnown(); };
-  const bool is_measured =
-      std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
-        const std::vector<PlanElement>& walls = room.boundary.elements;
-        return std::any_of(walls.begin(), walls.end(), isKnown);
-      });
-  wall.inliers = 0;
-  wall.residual = 0;
-  wall.evidence = {0, is_measured ? 1.0 : 0.0, 0};
+  return "room " + std::to_string(room.id);
 }
 
-/** @brief A stretch of a straight wall between two rooms. */
-struct SharedWall {
-  std::size_t element = 0; ///< of the first room
-  std::size_t other = 0;   ///< of the second room
-  double from = 0;         ///< along the first, metres
-  double to = 0;           ///< along the first, metres
-};
-
-/** @brief Returns the longest stretch at which two rooms face each other through a wall
- * as thick as walls may be; of no length if there is none. */
-SharedWall
-longestWall(const PlanRoom& room, const PlanRoom& other)
+/** @brief Returns which two rooms overlap more than the rooms did that they were. */
+std::string
+overlapProblem(const Floorplan& before, const Floorplan& after)
 {
-  const double thickest = Priors().max_wall;
-  constexpr double parallel = 0.0872; // sine of 5 degrees
-  SharedWall best;
-  for (std::size_t a = 0; a < room.boundary.elements.size(); ++a)
-    for (std::size_t b = 0; b < other.boundary.elements.size(); ++b) {
-      const PlanElement& near = room.boundary.elements[a];
-      const PlanElement& far = other.boundary.elements[b];
-      if (near.isArc() || far.isArc())
+  constexpr double negligible = 1e-3; // square metres
+  const auto isGone = [&](const PlanRoom& room) { return !findRoom(after, room.id); };
+  for (const PlanRoom& room : after.rooms)
+    for (const PlanRoom& other : after.rooms) {
+      const PlanRoom* const old = findRoom(before, room.id);
+      if (room.id == other.id || !old || isSame(old->boundary, room.boundary) ||
+          !shareHeights(room, other))
         continue;
-      const Eigen::Vector2d way = (near.end - near.start).normalized();
-      const Eigen::Vector2d back = (far.end - far.start).normalized();
-      const double off = cross(far.pointAt(far.length() / 2) - near.start, way);
-      if (way.dot(back) > 0 || std::abs(cross(way, back)) > parallel ||
-          off < -touching || off > thickest)
-        continue;
-      const double from = std::max(0.0, (far.end - near.start).dot(way));
-      const double to = std::min(near.length(), (far.start - near.start).dot(way));
-      if (to - from > best.to - best.from)
-        best = {a, b, from, to};
+      const double area = commonArea(room.boundary, other.boundary);
+      double known = 0;
+      for (const PlanRoom& r : before.rooms)
+        if (r.id == room.id || isGone(r))
+          known += commonArea(r.boundary, other.boundary);
+      if (area > known + negligible)
+        return nameOf(room) + " would then overlap " + nameOf(other) + " by " +
+               formatText("%.2f m2", area);
     }
-  return best;
+  return {};
 }
 
-/** @brief Appends the elements from place `s` of element `k` around the loop to place
- * `t` of it. */
+/** @brief Tells the rooms whose areas or walls are others. */
+std::string
+changesOf(const Floorplan& before, const Floorplan& after)
+{
+  constexpr double told = 0.005; // square metres
+  std::string text;
+  for (const PlanRoom& room : after.rooms) {
+    const PlanRoom* const old = findRoom(before, room.id);
+    const std::size_t walls = room.boundary.elements.size();
+    const bool is_area = !old || std::abs(room.area() - old->area()) > told;
+    if (is_area)
+      text += "; " + nameOf(room) + formatText(" has %.2f m2", room.area()) +
+              (old ? formatText(" in place of %.2f", old->area()) : "");
+    if (old && walls != old->boundary.elements.size())
+      text += (is_area ? " and " : "; " + nameOf(room) + " has ") +
+              std::to_string(walls) + " walls in place of " +
+              std::to_string(old->boundary.elements.size()) + ", numbered anew";
+  }
+  return text;
+}
+
+/** @brief Returns a loop whose elements end where another area begins or ends to touch
+ * it. */
+PlanLoop
+cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places)
+{
+  PlanLoop cut;
+  for (const PlanElement& e : loop.elements) {
+    std::vector<double> ends{0, e.length()};
+    for (const Eigen::Vector2d& p : places)
+      if (e.distance(p) < touching)
+        ends.push_back(e.project(p));
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      if (ends[k + 1] - ends[k] > touching)
+        cut.elements.push_back(ends.size() > 2 ? e.part(ends[k], ends[k + 1]) : e);
+  }
+  return cut;
+}
+
+/** @brief Returns what is between two rooms where they are the two sides of a wall. */
+std::vector<PlanLoop>
+wallsBetween(const Floorplan& plan,
+             const PlanRoom& a,
+             const PlanRoom& b,
+             double thickest)
+{
+  WallParameters parameters;
+  parameters.max_thickness = thickest;
+  parameters.min_thickness *= -1; // rooms may touch
+  std::vector<PlanLoop> walls;
+  for (const PlanWall& wall : pairFaces(plan, parameters).walls) {
+    const std::uint32_t one = plan.rooms[wall.face.room].id;
+    const std::uint32_t two = plan.rooms[wall.other->room].id;
+    if (std::minmax(one, two) != std::minmax(a.id, b.id))
+      continue;
+    const PlanElement& near = elementOf(plan, wall.face);
+    const PlanElement& far = elementOf(plan, *wall.other);
+    // What is left of a wall is no shorter than walls are exact.
+    const auto endOrPlace = [](const PlanElement& face, double s) {
+      constexpr double least = 0.02; // metres
+      return s < least ? 0 : s > face.length() - least ? face.length() : s;
+    };
+    const Stretch& on = wall.stretch;
+    const double from = endOrPlace(near, on.from);
+    const double to = endOrPlace(near, on.to);
+    const double back = endOrPlace(far, far.project(near.pointAt(on.to)));
+    const double there = endOrPlace(far, far.project(near.pointAt(on.from)));
+    if (!(from < to && back < there))
+      continue;
+    PlanLoop between = reversed({{near.part(from, to)}});
+    const PlanElement back_side = reversed({{far.part(back, there)}}).elements[0];
+    between.elements.push_back(segment(between.elements[0].end, back_side.start));
+    between.elements.push_back(back_side);
+    between.elements.push_back(segment(back_side.end, between.elements[0].start));
+    for (PlanElement& side : between.elements)
+      setByHand(plan, side);
+    simplify(between);
+    walls.push_back(between.area() < 0 ? reversed(between) : between);
+  }
+  return walls;
+}
+
+/** @brief Appends the part of a floor or ceiling that is elsewhere than the room's, and
+ * the details of another room. */
 void
-appendAround(const PlanLoop& loop,
-             std::size_t k,
-             double s,
-             double t,
-             std::vector<PlanElement>& elements)
+addDetails(const PlanSlab& slab,
+           const PlanRoom& of,
+           const PlanSlab& added_slab,
+           const std::vector<PlanDetail>& added,
+           std::vector<PlanDetail>& details)
 {
-  const std::vector<PlanElement>& all = loop.elements;
-  elements.push_back(all[k].part(s, all[k].length()));
-  for (std::size_t i = 1; i < all.size(); ++i)
-    elements.push_back(all[(k + i) % all.size()]);
-  elements.push_back(all[k].part(0, t));
-}
-
-/** @brief Shifts and turns an element. */
-void
-move(PlanElement& element, const Eigen::Affine2d& to)
-{
-  for (Eigen::Vector2d* place : {&element.start, &element.end, &element.centre})
-    *place = to * *place;
-}
-
-/** @brief Returns the wall that a niche is in: the one nearest to its open side. */
-std::size_t
-wallOf(const PlanRoom& room, const PlanNiche& niche)
-{
-  const auto middle = [](const PlanElement& e) { return e.pointAt(e.length() / 2); };
-  const auto& sides = niche.boundary.elements;
-  const auto open = std::min_element(
-      sides.begin(), sides.end(), [&](const PlanElement& a, const PlanElement& b) {
-        return room.boundary.distance(middle(a)) < room.boundary.distance(middle(b));
+  constexpr double level = 0.005; // metres
+  const bool is_other = std::any_of(
+      of.boundary.elements.begin(), of.boundary.elements.end(),
+      [&](const PlanElement& e) {
+        return std::abs(slab.heightAt(e.start) - added_slab.heightAt(e.start)) > level;
       });
-  return room.boundary.nearest(middle(*open));
+  if (is_other)
+    details.push_back({of.boundary, {}, added_slab, true});
+  details.insert(details.end(), added.begin(), added.end());
+  std::stable_partition(details.begin(), details.end(),
+                        [](const PlanDetail& d) { return d.is_facet; });
 }
 
 } // namespace
 
 bool
-PlanEditor::apply(std::uint32_t room,
-                  const std::function<std::string(Floorplan&, PlanRoom&)>& change)
+PlanEditor::apply(const std::function<std::string(Floorplan&)>& change)
 {
   Floorplan changed = plan_;
   warnings_.clear();
-  PlanRoom* const found = findRoom(changed, room);
-  problem_ =
-      found ? change(changed, *found) : "the plan has no room " + std::to_string(room);
+  sentence_.clear();
+  problem_ = change(changed);
   for (const PlanRoom& r : changed.rooms)
     if (const PlanRoom* const before = findRoom(plan_, r.id); problem_.empty())
       if (const std::string wrong = outlineProblem(r.boundary);
           !wrong.empty() && (!before || outlineProblem(before->boundary).empty()))
-        problem_ = "the outline of room " + std::to_string(r.id) + " then " + wrong;
-  if (!problem_.empty())
+        problem_ = "the outline of " + nameOf(r) + " then " + wrong;
+  if (problem_.empty())
+    problem_ = overlapProblem(plan_, changed);
+  if (!problem_.empty()) {
+    sentence_.clear();
     return false;
+  }
   warnings_ = attachOpenings(plan_, changed);
   for (std::string& flight : flightsThroughWalls(plan_, changed))
     warnings_.push_back(std::move(flight));
+  sentence_ += changesOf(plan_, changed);
   plan_ = std::move(changed);
   return true;
+}
+
+bool
+PlanEditor::apply(std::uint32_t room,
+                  const std::function<std::string(Floorplan&, PlanRoom&)>& change)
+{
+  return apply([&](Floorplan& plan) {
+    PlanRoom* const found = findRoom(plan, room);
+    return found ? change(plan, *found)
+                 : "the plan has no room " + std::to_string(room);
+  });
+}
+
+bool
+PlanEditor::apply(
+    std::uint32_t room,
+    std::size_t wall,
+    const std::function<std::string(Floorplan&, PlanRoom&, std::size_t)>& change)
+{
+  return apply(room, [&](Floorplan& plan, PlanRoom& of) -> std::string {
+    const std::size_t walls = of.boundary.elements.size();
+    if (wall < 1 || wall > walls)
+      return "there is no wall " + std::to_string(room) + "." + std::to_string(wall) +
+             ": " + nameOf(of) + " has " + std::to_string(walls);
+    return change(plan, of, wall - 1);
+  });
 }
 
 bool
@@ -135,6 +210,7 @@ PlanEditor::name(std::uint32_t room, const std::string& text)
 {
   return apply(room, [&](Floorplan&, PlanRoom& named) {
     named.name = text;
+    sentence_ = nameOf(named) + (text.empty() ? " has no name" : " is called " + text);
     return std::string();
   });
 }
@@ -149,44 +225,52 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     if (!shareHeights(first, *second)) {
       const auto range = [](const PlanRoom& r) {
         const RoomHeights heights = heightsOf(r);
-        return "room " + std::to_string(r.id) + " from z " +
+        return nameOf(r) + " from z " +
                numberText(std::round(heights.low * 100) / 100) + " to " +
                numberText(std::round(heights.high * 100) / 100) + " m";
       };
       return "they lie at different heights: " + range(first) + ", " + range(*second);
     }
-    const SharedWall shared = longestWall(first, *second);
-    if (!(shared.to > shared.from))
+    std::vector<PlanLoop> areas = wallsBetween(plan, first, *second, max_wall_);
+    const std::size_t walls = areas.size();
+    std::vector<Eigen::Vector2d> ends;
+    for (const PlanLoop& wall : areas)
+      for (const PlanElement& side : wall.elements)
+        ends.push_back(side.start);
+    for (const PlanRoom* part : {&first, &*second}) {
+      areas.push_back(cutAt(part->boundary, ends));
+      for (const PlanLoop& column : part->columns)
+        areas.push_back(cutAt(column, ends));
+    }
+    const std::vector<PlanLoop> loops = unionOf(areas);
+    if (walls == 0 || std::count_if(loops.begin(), loops.end(), [](const PlanLoop& l) {
+                        return l.area() > 0;
+                      }) != 1)
       return "rooms " + std::to_string(room) + " and " + std::to_string(other) +
-             " have no straight wall between them";
-    const PlanElement& near = first.boundary.elements[shared.element];
-    const PlanElement& far = second->boundary.elements[shared.other];
-    // What is left of a wall is no shorter than walls are exact.
-    const auto endOrPlace = [](const PlanElement& wall, double s) {
-      constexpr double least = 0.02; // metres
-      return s < least ? 0 : s > wall.length() - least ? wall.length() : s;
+             " do not touch, and no wall of at most " + numberText(max_wall_) +
+             " m is all that parts them";
+    const auto isColumn = [&](const PlanLoop& hole) {
+      const double least = max_wall_ * max_wall_; // where walls meet
+      return -hole.area() > least ||
+             std::any_of(areas.begin(), areas.end(), [&](const PlanLoop& area) {
+               return std::abs(area.area() - hole.area()) < touching &&
+                      area.distance(hole.elements[0].start) < touching;
+             });
     };
-    const double back = endOrPlace(far, far.project(near.pointAt(shared.to)));
-    const double there = endOrPlace(far, far.project(near.pointAt(shared.from)));
-    const double from = endOrPlace(near, shared.from);
-    const double to = endOrPlace(near, shared.to);
-    // Around the first room, through the wall, around the second one, and back.
-    std::vector<PlanElement> loop;
-    appendAround(first.boundary, shared.element, to, from, loop);
-    loop.push_back(segment(near.pointAt(from), far.pointAt(there)));
-    setByHand(plan, loop.back());
-    appendAround(second->boundary, shared.other, there, back, loop);
-    loop.push_back(segment(far.pointAt(back), near.pointAt(to)));
-    setByHand(plan, loop.back());
-    first.boundary.elements = std::move(loop);
-    simplify(first.boundary);
-    const auto append = [](auto& to, const auto& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    append(first.columns, second->columns);
-    append(first.details, second->details);
-    append(first.floor_details, second->floor_details);
-    append(first.niches, second->niches);
+    sentence_ = nameOf(*second) + " is joined to " + nameOf(first) + ", " +
+                std::to_string(walls) + (walls == 1 ? " wall" : " walls") +
+                " between them taken out";
+    addDetails(first.ceiling, *second, second->ceiling, second->details, first.details);
+    addDetails(first.floor, *second, second->floor, second->floor_details,
+               first.floor_details);
+    first.niches.insert(first.niches.end(), second->niches.begin(),
+                        second->niches.end());
+    first.columns.clear();
+    for (const PlanLoop& loop : loops)
+      if (loop.area() > 0)
+        first.boundary = loop;
+      else if (isColumn(loop))
+        first.columns.push_back(loop);
     renumber(plan, other, room);
     plan.rooms.erase(plan.rooms.begin() + (second - plan.rooms.data()));
     return {};
@@ -232,6 +316,8 @@ PlanEditor::split(std::uint32_t room,
     second.boundary = loops[is_first_left ? 1 : 0];
     for (const PlanRoom& other : plan.rooms)
       second.id = std::max(second.id, other.id + 1);
+    sentence_ = "room " + std::to_string(room) + " is parted: room " +
+                std::to_string(second.id) + " is to the right of the line";
     for (PlanRoom* part : {&first, &second}) {
       simplify(part->boundary);
       const auto isElsewhere = [part](const PlanLoop& loop) {
@@ -273,98 +359,10 @@ bool
 PlanEditor::drop(std::uint32_t room)
 {
   return apply(room, [&](Floorplan& plan, PlanRoom& gone) {
+    sentence_ = nameOf(gone) + formatText(" of %.2f m2 is removed", gone.area());
     plan.rooms.erase(plan.rooms.begin() + (&gone - plan.rooms.data()));
     renumber(plan, room, 0);
     return std::string();
-  });
-}
-
-bool
-PlanEditor::square(std::uint32_t room)
-{
-  return apply(room, [&](Floorplan& plan, PlanRoom& changed) -> std::string {
-    constexpr double most = 10 * M_PI / 180;
-    std::vector<PlanElement> lines = changed.boundary.elements;
-    const auto longest = std::max_element(
-        lines.begin(), lines.end(), [](const PlanElement& a, const PlanElement& b) {
-          return (a.isArc() ? 0 : a.length()) < (b.isArc() ? 0 : b.length());
-        });
-    if (longest->isArc())
-      return "room " + std::to_string(room) + " has no straight wall";
-    const auto angleOf = [](const PlanElement& e) {
-      return std::atan2(e.end.y() - e.start.y(), e.end.x() - e.start.x());
-    };
-    const double axis = angleOf(*longest);
-    std::vector<std::size_t> walls; // that the niches are in
-    for (const PlanNiche& niche : changed.niches)
-      walls.push_back(wallOf(changed, niche));
-    for (std::size_t w = 0; w < lines.size(); ++w) {
-      PlanElement& line = lines[w];
-      const double off = std::remainder(angleOf(line) - axis, M_PI / 2);
-      if (line.isArc() || std::abs(off) > most)
-        continue;
-      if (std::abs(off) * line.length() / 2 > std::max(touching, line.residual))
-        setByHand(plan, line);
-      const Eigen::Vector2d middle = (line.start + line.end) / 2;
-      const auto turnBy = [&](double angle) {
-        return Eigen::Affine2d(Eigen::Translation2d(middle) *
-                               Eigen::Rotation2Dd(angle) *
-                               Eigen::Translation2d(-middle));
-      };
-      const Eigen::Affine2d turn = turnBy(-off);
-      move(line, turn);
-      for (std::size_t n = 0; n < walls.size(); ++n)
-        for (PlanElement& side : changed.niches[n].boundary.elements)
-          if (walls[n] == w)
-            move(side, turn);
-      for (PlanOpening& opening : plan.openings)
-        for (const OpeningWall& in : opening.walls)
-          if (in.room == room && in.element == w) {
-            const bool has_other = opening.walls.size() > 1; // it stays
-            const Eigen::Affine2d turned = has_other ? turnBy(-off / 2) : turn;
-            opening.start = turned * opening.start;
-            opening.end = turned * opening.end;
-          }
-    }
-    const PlanLoop before = changed.boundary;
-    const std::string problem = meetAgain(lines, changed.boundary);
-    return problem.empty() ? overlapProblem(plan, before, changed) : problem;
-  });
-}
-
-bool
-PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
-{
-  return apply(room, [&](Floorplan& plan, PlanRoom& changed) -> std::string {
-    std::vector<PlanElement> lines = changed.boundary.elements;
-    const std::string name = std::to_string(room) + "." + std::to_string(wall);
-    if (wall < 1 || wall > lines.size())
-      return "there is no wall " + name + ": room " + std::to_string(room) + " has " +
-             std::to_string(lines.size());
-    PlanElement& line = lines[wall - 1];
-    if (!std::isfinite(distance))
-      return "wall " + name + " cannot be moved by " + numberText(distance) + " m";
-    if (line.isArc())
-      return "wall " + name + " is an arc, only straight walls can be moved";
-    const Eigen::Vector2d off = -distance * line.normalAt(0);
-    const Eigen::Affine2d away(Eigen::Translation2d{off});
-    move(line, away);
-    setByHand(plan, line);
-    for (PlanOpening& opening : plan.openings)
-      for (const OpeningWall& in : opening.walls)
-        if (in.room == room && in.element + 1 == wall) {
-          const bool has_other = opening.walls.size() > 1; // it stays
-          opening.start += has_other ? off / 2 : off;
-          opening.end += has_other ? off / 2 : off;
-          opening.depth = std::max(opening.depth - (has_other ? distance : 0), 0.0);
-        }
-    for (PlanNiche& niche : changed.niches)
-      if (wallOf(changed, niche) + 1 == wall)
-        for (PlanElement& side : niche.boundary.elements)
-          move(side, away);
-    const PlanLoop before = changed.boundary;
-    const std::string problem = meetAgain(lines, changed.boundary);
-    return problem.empty() ? overlapProblem(plan, before, changed) : problem;
   });
 }
 

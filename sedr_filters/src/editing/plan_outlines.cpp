@@ -6,7 +6,6 @@
 
 #include "../walls/tilted_walls.h"
 #include <pcl/sedr_filters/plan_editor.h>
-#include <pcl/sedr_filters/plan_measures.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
 #include <boost/geometry/geometries/box.hpp>
@@ -17,42 +16,129 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief Returns how large the area is that two outlines have in common, square
- * metres. */
-double
-commonArea(const PlanLoop& a, const PlanLoop& b)
+namespace bp = boost::polygon;
+using namespace bp::operators;
+using GridPoint = bp::point_data<int>;
+using GridArea = bp::polygon_set_data<int>;
+
+constexpr double chord = 0.005; // metres
+constexpr double unit = 1e-4;   // of the grid, metres
+
+GridPoint
+toGrid(const Eigen::Vector2d& p, const Eigen::Vector2d& origin)
 {
-  namespace bp = boost::polygon;
-  using namespace bp::operators;
-  constexpr double chord = 0.005;
-  constexpr double unit = 1e-4; // metres
-  const Eigen::AlignedBox2d box = boundsOf(a);
-  if (!box.intersects(boundsOf(b)))
-    return 0;
-  const auto areaOf = [&](const PlanLoop& loop) {
-    std::vector<bp::point_data<int>> corners;
-    for (const Eigen::Vector2d& p : loop.polygon(chord)) {
-      const Eigen::Vector2d at = (p - box.min()) / unit;
-      corners.emplace_back(static_cast<int>(std::lround(at.x())),
-                           static_cast<int>(std::lround(at.y())));
-    }
-    bp::polygon_data<int> polygon;
-    polygon.set(corners.begin(), corners.end());
-    bp::polygon_set_data<int> set;
-    set.insert(polygon);
-    return set;
-  };
-  bp::polygon_set_data<int> common = areaOf(a);
-  common &= areaOf(b);
-  return static_cast<double>(bp::area(common)) * unit * unit;
+  const Eigen::Vector2d at = (p - origin) / unit;
+  return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
 }
 
+bp::polygon_data<int>
+polygonOf(const PlanLoop& loop, const Eigen::Vector2d& origin)
+{
+  std::vector<GridPoint> corners;
+  for (const Eigen::Vector2d& p : loop.polygon(chord))
+    corners.push_back(toGrid(p, origin));
+  bp::polygon_data<int> polygon;
+  polygon.set(corners.begin(), corners.end());
+  return polygon;
+}
+
+/** @brief Finds the elements that the sides of polygons are of. */
+class SideElements {
+public:
+  SideElements(const std::vector<PlanLoop>& loops, const Eigen::Vector2d& origin)
+      : origin_(origin)
+  {
+    for (const PlanLoop& loop : loops)
+      for (const PlanElement& e : loop.elements) {
+        elements_.push_back(&e);
+        for (const Eigen::Vector2d& p : {e.start, e.end}) {
+          const GridPoint at = toGrid(p, origin);
+          exact_.emplace(std::make_pair(at.x(), at.y()), p);
+        }
+      }
+  }
+
+  /** @brief Returns the loop of a polygon. */
+  PlanLoop loopOf(const std::vector<GridPoint>& corners) const
+  {
+    const std::size_t n = corners.size();
+    std::vector<const PlanElement*> of;
+    for (std::size_t k = 0; k < n; ++k)
+      of.push_back(elementAt(placeOf(corners[k]), placeOf(corners[(k + 1) % n])));
+    const auto begin = std::adjacent_find(of.begin(), of.end(), std::not_equal_to<>());
+    PlanLoop loop;
+    if (begin == of.end() && of.front()) {
+      loop.elements = {*of.front()}; // a whole circle
+      return loop;
+    }
+    const auto first = static_cast<std::size_t>(begin - of.begin()) + 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = (first + i) % n;
+      const Eigen::Vector2d end = placeOf(corners[(k + 1) % n]);
+      if (i > 0 && of[k] && of[k] == of[(k + n - 1) % n]) {
+        loop.elements.back().end = end; // of an arc
+        continue;
+      }
+      loop.elements.push_back(of[k] ? *of[k] : PlanElement());
+      loop.elements.back().start = placeOf(corners[k]);
+      loop.elements.back().end = end;
+    }
+    simplify(loop);
+    return loop;
+  }
+
+private:
+  Eigen::Vector2d placeOf(const GridPoint& p) const
+  {
+    const auto exact = exact_.find({p.x(), p.y()});
+    return exact != exact_.end()
+               ? exact->second
+               : Eigen::Vector2d(origin_ + unit * Eigen::Vector2d(p.x(), p.y()));
+  }
+
+  /** @brief Returns the element that a side runs along, null if there is none. */
+  const PlanElement* elementAt(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
+  {
+    const PlanElement* nearest = nullptr;
+    double least = chord;
+    for (const PlanElement* e : elements_) {
+      const double off = std::max(e->distance(a), e->distance(b));
+      if (off < least && (e->isArc() || off < 2 * unit)) {
+        nearest = e;
+        least = off;
+      }
+    }
+    return nearest;
+  }
+
+  Eigen::Vector2d origin_;
+  std::vector<const PlanElement*> elements_;
+  std::map<std::pair<int, int>, Eigen::Vector2d> exact_; ///< ends of elements
+};
+
 } // namespace
+
+void
+setByHand(const Floorplan& plan, PlanElement& wall)
+{
+  const auto isKnown = [](const PlanElement& e) { return e.evidence.isKnown(); };
+  const bool is_measured =
+      std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+        const std::vector<PlanElement>& walls = room.boundary.elements;
+        return std::any_of(walls.begin(), walls.end(), isKnown);
+      });
+  wall.inliers = 0;
+  wall.residual = 0;
+  wall.evidence = {0, is_measured ? 1.0 : 0.0, 0};
+}
 
 std::optional<Eigen::Vector2d>
 crossing(const PlanElement& a, const PlanElement& b)
@@ -73,7 +159,6 @@ crossing(const PlanElement& a, const PlanElement& b)
 std::string
 outlineProblem(const PlanLoop& loop)
 {
-  constexpr double chord = 0.005;
   if (loop.elements.empty())
     return "is empty";
   if (loop.area() <= 0)
@@ -120,9 +205,12 @@ simplify(PlanLoop& loop)
   for (std::size_t k = 0; e.size() > 3 && k < e.size();) {
     PlanElement& next = e[(k + 1) % e.size()];
     const Eigen::Vector2d way = (e[k].end - e[k].start).normalized();
-    if (e[k].isArc() || next.isArc() || e[k].tilt != next.tilt ||
-        std::abs(cross(way, next.end - e[k].start)) > touching ||
-        way.dot(next.end - next.start) < 0) {
+    const bool is_one_circle = e[k].isArc() && next.isArc() &&
+                               e[k].radius == next.radius && e[k].centre == next.centre;
+    const bool is_one_line = !e[k].isArc() && !next.isArc() &&
+                             std::abs(cross(way, next.end - e[k].start)) <= touching &&
+                             way.dot(next.end - next.start) >= 0;
+    if (e[k].tilt != next.tilt || !(is_one_circle || is_one_line)) {
       ++k;
       continue;
     }
@@ -145,40 +233,83 @@ simplify(PlanLoop& loop)
 std::string
 meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop)
 {
-  PlanLoop moved{lines};
+  std::vector<PlanElement> left = lines;
   std::vector<bool> is_moved;
   for (std::size_t k = 0; k < lines.size(); ++k)
     is_moved.push_back(lines[k].start != loop.elements[k].start ||
                        lines[k].end != loop.elements[k].end);
-  rejoin(moved, is_moved);
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const PlanElement& wall = moved.elements[k];
-    Eigen::Vector2d way;
-    if (std::abs(offLine(lines[k], wall.start, way)) > touching ||
-        std::abs(offLine(lines[k], wall.end, way)) > touching)
-      return "it would no longer meet the wall beside it";
-    if (!wall.isArc() &&
-        (wall.end - wall.start).dot(lines[k].end - lines[k].start) <= 0)
-      return "wall " + std::to_string(k + 1) + " would vanish";
+  while (left.size() > 2) {
+    PlanLoop met{left};
+    rejoin(met, is_moved);
+    auto backward = left.end();
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const PlanElement& wall = met.elements[k];
+      Eigen::Vector2d way;
+      if (std::abs(offLine(left[k], wall.start, way)) > touching ||
+          std::abs(offLine(left[k], wall.end, way)) > touching)
+        return left.size() == lines.size()
+                   ? "it would no longer meet the wall beside it"
+                   : "walls beside it would vanish, and those behind them do not meet";
+      if (!wall.isArc() && backward == left.end() &&
+          (wall.end - wall.start).dot(left[k].end - left[k].start) <= 0)
+        backward = left.begin() + static_cast<std::ptrdiff_t>(k);
+    }
+    simplify(met);
+    if (outlineProblem(met).empty()) {
+      loop = std::move(met);
+      return {};
+    }
+    if (backward == left.end())
+      return "the outline then " + outlineProblem(met);
+    const auto k = static_cast<std::size_t>(backward - left.begin());
+    left.erase(backward);
+    is_moved.erase(is_moved.begin() + static_cast<std::ptrdiff_t>(k));
+    is_moved[k % left.size()] = true;
   }
-  loop = std::move(moved);
-  return {};
+  return "nothing of the room would be left";
 }
 
-std::string
-overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after)
+double
+commonArea(const PlanLoop& a, const PlanLoop& b)
 {
-  constexpr double negligible = 1e-3; // square metres
-  for (const PlanRoom& other : plan.rooms) {
-    if (other.id == after.id || !shareHeights(other, after))
-      continue;
-    const double area = commonArea(after.boundary, other.boundary);
-    if (area > commonArea(before, other.boundary) + negligible)
-      return "room " + std::to_string(after.id) + " would then overlap room " +
-             std::to_string(other.id) + " by " +
-             numberText(std::round(area * 100) / 100) + " m2";
+  const Eigen::AlignedBox2d box = boundsOf(a);
+  if (!box.intersects(boundsOf(b)))
+    return 0;
+  GridArea common;
+  common.insert(polygonOf(a, box.min()));
+  GridArea other;
+  other.insert(polygonOf(b, box.min()));
+  common &= other;
+  return static_cast<double>(bp::area(common)) * unit * unit;
+}
+
+std::vector<PlanLoop>
+unionOf(const std::vector<PlanLoop>& areas)
+{
+  const Eigen::Vector2d origin = boundsOf(areas.front()).min();
+  GridArea area;
+  for (const bool is_hole : {false, true})
+    for (const PlanLoop& loop : areas)
+      if ((loop.area() < 0) == is_hole)
+        area.insert(polygonOf(loop, origin), is_hole);
+  std::vector<bp::polygon_with_holes_data<int>> polygons;
+  area.get(polygons);
+  const SideElements sides(areas, origin);
+  std::vector<PlanLoop> loops;
+  const auto add = [&](const auto& polygon, bool is_hole) {
+    std::vector<GridPoint> corners(polygon.begin(), polygon.end());
+    if (corners.size() > 1 && corners.front() == corners.back())
+      corners.pop_back();
+    if ((bp::winding(polygon) == bp::CLOCKWISE) != is_hole)
+      std::reverse(corners.begin(), corners.end());
+    loops.push_back(sides.loopOf(corners));
+  };
+  for (const auto& polygon : polygons) {
+    add(polygon, false);
+    for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole)
+      add(*hole, true);
   }
-  return {};
+  return loops;
 }
 
 } // namespace pcl::sedr

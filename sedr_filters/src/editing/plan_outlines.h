@@ -14,20 +14,30 @@ namespace pcl::sedr {
 
 constexpr double touching = 1e-6; ///< metres; places within this distance coincide
 
+/** @brief What was set by hand was not measured: it counts as inferred in a plan that
+ * tells what was of any of its walls. */
+void setByHand(const Floorplan& plan, PlanElement& wall);
+
 /** @brief Returns where two segments cross or touch. */
 std::optional<Eigen::Vector2d> crossing(const PlanElement& a, const PlanElement& b);
 
-/** @brief Joins collinear neighbours and drops elements without a length. */
+/** @brief Joins neighbours on one line or circle and drops elements without a length.
+ */
 void simplify(PlanLoop& loop);
 
 /** @brief Makes neighbours meet again after some of them were moved: `lines` are
- * the elements' new lines.
+ * the elements' new lines. Walls that would run backwards vanish if the outline would
+ * cross itself with them.
  * @return why that is not possible, or an empty text */
 std::string meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop);
 
-/** @brief Returns why the outline of a room, changed from `before`, runs into another
- * room at its heights farther than it did; an empty text if it does not. */
-std::string
-overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after);
+/** @brief Returns how large the area is that two outlines have in common, square
+ * metres. */
+double commonArea(const PlanLoop& a, const PlanLoop& b);
+
+/** @brief Returns the outlines of some areas as one, counter-clockwise, and its holes,
+ * clockwise. They consist of the elements of the areas, with all that these tell.
+ * @param areas outlines and holes; where they touch, they have common ends */
+std::vector<PlanLoop> unionOf(const std::vector<PlanLoop>& areas);
 
 } // namespace pcl::sedr

@@ -14,9 +14,6 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-/** @brief Returns whether two outlines have the same corners and arcs. */
 bool
 isSame(const PlanLoop& a, const PlanLoop& b)
 {
@@ -26,6 +23,8 @@ isSame(const PlanLoop& a, const PlanLoop& b)
                              e.centre == f.centre && e.radius == f.radius;
                     });
 }
+
+namespace {
 
 constexpr double negligible = 0.01; // metres
 

@@ -10,6 +10,9 @@
 
 namespace pcl::sedr {
 
+/** @brief Returns whether two outlines have the same corners and arcs. */
+bool isSame(const PlanLoop& a, const PlanLoop& b);
+
 /** @brief Calls `see(room, place)` with the number of every room that openings and
  * stairs name, and where they are. */
 void forEachReference(

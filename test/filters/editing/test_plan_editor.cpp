@@ -68,6 +68,122 @@ TEST(PlanEditor, OfWallsThatFaceEachOtherInPartTheRestStays)
   EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 8u);
 }
 
+TEST(PlanEditor, RoomsThatTouchAreMergedAlongAllTheirCommonWalls)
+{
+  Floorplan plan;
+  plan.rooms = {
+      roomOf(rectangle(0, 0, 4, 3), 2.5, 1),
+      roomOf(sedr_test::polygon({{4, 0}, {6, 0}, {6, 5}, {-1, 5}, {-1, 3}, {4, 3}}),
+             2.5, 2)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6 * 3 + 7 * 2, 1e-9);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 6u);
+}
+
+TEST(PlanEditor, WhereTheWallsAroundACornerMeetNothingIsLeftStanding)
+{
+  Floorplan plan; // a closet in the corner of a room
+  plan.rooms = {roomOf(rectangle(0, 0, 1, 1), 2.5, 1),
+                roomOf(sedr_test::polygon(
+                           {{1.1, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 1.1}, {1.1, 1.1}}),
+                       2.5, 2)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(2, 1)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 12, 1e-9);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 4u);
+  EXPECT_EQ(editor.getSentence(),
+            "room 1 is joined to room 2, 2 walls between them "
+            "taken out; room 2 has 12.00 m2 in place of 10.79 and "
+            "4 walls in place of 6, numbered anew");
+}
+
+TEST(PlanEditor, ARoomWithinAnotherIsMergedWithTheWallsAroundIt)
+{
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 9, 9), 2.5, 1),
+                roomOf(rectangle(3, 3, 6, 6), 2.5, 2)};
+  plan.rooms[0].columns = {reversed(rectangle(2.9, 2.9, 6.1, 6.1)),
+                           reversed(rectangle(1, 1, 1.3, 1.3))};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].columns.size(), 1u);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 81 - 0.09, 1e-9);
+}
+
+TEST(PlanEditor, ArcsAndUntouchedWallsStayWhatTheyAreInAMerge)
+{
+  // A round end to the left, the axes turned so that no corner is on a grid.
+  const PlanLoop apse{
+      {sedr_test::segment({0, 0}, {4, 0}), sedr_test::segment({4, 0}, {4, 3}),
+       sedr_test::segment({4, 3}, {0, 3}), sedr_test::arc({0, 1.5}, 1.5, 90, 270)}};
+  Floorplan plan;
+  plan.rooms = {roomOf(apse, 2.5, 1), roomOf(rectangle(4.2, 0, 6.2, 3), 2.5, 2)};
+  for (PlanElement& wall : plan.rooms[0].boundary.elements)
+    wall.evidence.seen = 0.7;
+  plan = moved(plan, 0.3, {1.0 / 3, 2.0 / 3, 0});
+  const PlanElement arc = plan.rooms[0].boundary.elements[3];
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
+  ASSERT_EQ(walls.size(), 4u);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6.2 * 3 + M_PI * 1.125, 1e-9);
+  const auto same = std::find_if(walls.begin(), walls.end(),
+                                 [](const PlanElement& e) { return e.isArc(); });
+  ASSERT_NE(same, walls.end());
+  EXPECT_EQ(same->start, arc.start);
+  EXPECT_NEAR((same->end - arc.end).norm(), 0, 1e-12);
+  EXPECT_EQ(same->centre, arc.centre);
+  EXPECT_EQ(same->evidence.seen, 0.7);
+}
+
+TEST(PlanEditor, RoomsWithConcentricWallsAreMerged)
+{
+  const auto sector = [](double inner, double outer) {
+    const PlanElement back = sedr_test::arc({0, 0}, outer, 0, 90);
+    PlanElement front = sedr_test::arc({0, 0}, inner, 0, 90);
+    std::swap(front.start, front.end);
+    front.counter_clockwise = false;
+    return PlanLoop{{sedr_test::segment(front.end, back.start), back,
+                     sedr_test::segment(back.end, front.start), front}};
+  };
+  Floorplan plan;
+  plan.rooms = {roomOf(sector(3, 5), 2.5, 1), roomOf(sector(5.2, 8), 2.5, 2)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), M_PI / 4 * (64 - 9), 1e-9);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 4u);
+}
+
+TEST(PlanEditor, AMergedRoomKeepsTheHeightsOfBoth)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[1].ceiling = sedr_test::slabAt(2.3);
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  const PlanRoom& room = editor.getFloorplan().rooms[0];
+  EXPECT_EQ(room.ceilingAt({2, 1}), 2.5);
+  EXPECT_EQ(room.ceilingAt({5, 1}), 2.3);
+  EXPECT_TRUE(room.floor_details.empty()) << "both floors are at 0";
+}
+
+TEST(PlanEditor, RoomsThatNoWallPartsAreNotMerged)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[1].boundary = rectangle(5, 0, 6.2, 3);
+  PlanEditor editor(plan);
+  EXPECT_FALSE(editor.merge(1, 2));
+  EXPECT_EQ(editor.getErrorMessage(), "rooms 1 and 2 do not touch, and no wall of at "
+                                      "most 0.6 m is all that parts them");
+  EXPECT_TRUE(PlanEditor(plan, 1.1).merge(1, 2));
+}
+
 TEST(PlanEditor, ASplitRoomHasTwoPartsWithTheirDoors)
 {
   PlanEditor editor(twoRooms());
@@ -146,18 +262,106 @@ TEST(PlanEditor, AnOpeningIsSaidToBeAnotherOrClosed)
   Floorplan plan = twoRooms();
   plan.openings[0].hinge = OpeningHinge::Start;
   plan.openings[0].swing = 1;
+  numberOpenings(plan);
   PlanEditor editor(plan);
-  EXPECT_FALSE(editor.closeOpening(1, {2, 1.5}));
-  EXPECT_EQ(editor.getErrorMessage(), "room 1 has no opening within 1 m of (2, 1.5)");
-  EXPECT_FALSE(editor.setOpening(2, {4.5, 2}, OpeningKind::Unknown));
-  ASSERT_TRUE(editor.setOpening(2, {4.5, 2}, OpeningKind::Passage));
+  EXPECT_FALSE(editor.closeOpening("W1"));
+  EXPECT_EQ(editor.getErrorMessage(), "the plan has no opening W1");
+  ASSERT_TRUE(editor.setOpening("D1", {OpeningKind::Passage}));
   expectValid(editor);
+  EXPECT_EQ(editor.getSentence(), "D1 was a door of 1.000 x 2.000 m, 0.000 m above the "
+                                  "floor; P1 is a passage of 1.000 x 2.000 m, 0.000 m "
+                                  "above the floor");
   EXPECT_EQ(markOf(editor.getFloorplan().openings[0]), "P1");
   EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::Unknown);
   EXPECT_EQ(editor.getFloorplan().openings[0].confidence, 1);
-  ASSERT_TRUE(editor.closeOpening(1, {4, 1.5}));
+  ASSERT_TRUE(editor.closeOpening("P1"));
   expectValid(editor);
   EXPECT_TRUE(editor.getFloorplan().openings.empty());
+}
+
+TEST(PlanEditor, AnOpeningGetsAnotherSizeAboutItsMiddle)
+{
+  Floorplan plan = twoRooms();
+  numberOpenings(plan);
+  PlanEditor editor(plan);
+  OpeningChange change;
+  change.width = 0.8;
+  change.height = 1.2;
+  change.sill = 0.9;
+  ASSERT_TRUE(editor.setOpening("D1", change)) << editor.getErrorMessage();
+  expectValid(editor);
+  const PlanOpening& opening = editor.getFloorplan().openings[0];
+  EXPECT_NEAR((opening.start - Eigen::Vector2d(4.1, 1.1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((opening.end - Eigen::Vector2d(4.1, 1.9)).norm(), 0, 1e-12);
+  EXPECT_NEAR(opening.bottom, 0.9, 1e-12);
+  EXPECT_NEAR(opening.top, 2.1, 1e-12);
+  change.width = 3.2;
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getErrorMessage(),
+            "wall 1.2 is 3.000 m long, the opening would reach "
+            "from -0.100 to 3.100 m along it");
+  change.width = 0.8;
+  change.sill = 1.5;
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getErrorMessage(), "wall 1.2 reaches from z 0.000 to 2.500 m, the "
+                                      "opening would from 1.500 to 2.700 m");
+}
+
+TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)
+{
+  Floorplan plan = twoRooms(); // from room 1 one sees the end of the door to the left
+  numberOpenings(plan);
+  PlanEditor editor(plan);
+  OpeningChange change;
+  change.swing = 2;
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getErrorMessage(), "its hinge must be told: left, right or double");
+  change.leaf = "left";
+  ASSERT_TRUE(editor.setOpening("D1", change)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::End);
+  EXPECT_EQ(editor.getFloorplan().openings[0].swing, 2u);
+  change.swing = 1;
+  ASSERT_TRUE(editor.setOpening("D1", change)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::Start);
+  change.swing = 7;
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  change = {};
+  change.leaf = "none";
+  ASSERT_TRUE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getFloorplan().openings[0].swing, 0u);
+  change.kind = OpeningKind::Window;
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getErrorMessage(), "only doors have leaves");
+}
+
+TEST(PlanEditor, AnAddedOpeningGoesThroughTheWallToTheRoomBehindIt)
+{
+  Floorplan plan = twoRooms();
+  numberOpenings(plan);
+  PlanEditor editor(plan);
+  OpeningChange size{OpeningKind::Window, 0.6, 0.5};
+  size.sill = 1.2;
+  ASSERT_TRUE(editor.addOpening(2, 4, 2.5, size)) << editor.getErrorMessage();
+  expectValid(editor);
+  const PlanOpening& window = editor.getFloorplan().openings.back();
+  EXPECT_EQ(editor.getSentence(),
+            "W1 is added to wall 2.4: a window of 0.600 x 0.500 m, 1.200 m above the "
+            "floor");
+  EXPECT_EQ(window.rooms, (std::array<std::uint32_t, 2>{2, 1}));
+  ASSERT_EQ(window.walls.size(), 2u);
+  EXPECT_EQ(window.walls[1].element, 1u);
+  EXPECT_NEAR(window.depth, 0.2, 1e-12);
+  EXPECT_NEAR((window.start - Eigen::Vector2d(4.1, 0.8)).norm(), 0, 1e-12);
+  EXPECT_NEAR((window.end - Eigen::Vector2d(4.1, 0.2)).norm(), 0, 1e-12);
+  EXPECT_FALSE(editor.addOpening(2, 4, 1.2, size));
+  EXPECT_EQ(editor.getErrorMessage(), "it would overlap D1");
+  ASSERT_TRUE(editor.addOpening(1, 1, 2, size)) << editor.getErrorMessage();
+  const PlanOpening& outside = editor.getFloorplan().openings.back();
+  EXPECT_EQ(outside.rooms[1], 0u);
+  EXPECT_NEAR(outside.start.y(), -unseen_reveal / 2, 1e-12);
+  EXPECT_FALSE(editor.addOpening(1, 1, 0.2, size)) << "beyond its end";
+  EXPECT_FALSE(editor.addOpening(1, 5, 1, size)) << "no such wall";
+  EXPECT_FALSE(editor.addOpening(1, 1, 1, {OpeningKind::Door, 0.9})) << "no height";
 }
 
 TEST(PlanEditor, ADroppedRoomIsOutside)
@@ -180,9 +384,13 @@ TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
   EXPECT_NEAR(editor.getFloorplan().openings[0].depth, 0.15, 1e-12);
   EXPECT_NEAR(editor.getFloorplan().openings[0].start.x(), 4.125, 1e-12);
+  EXPECT_EQ(editor.getSentence(), "wall 1.2 is moved outwards by 0.050 m; room 1 has "
+                                  "12.15 m2 in place of 12.00");
   EXPECT_FALSE(editor.moveWall(1, 2, -5));
-  EXPECT_EQ(editor.getErrorMessage(), "wall 1 would vanish");
+  EXPECT_EQ(editor.getErrorMessage(),
+            "walls beside it would vanish, and those behind them do not meet");
   EXPECT_FALSE(editor.moveWall(1, 9, 1));
+  EXPECT_EQ(editor.getErrorMessage(), "there is no wall 1.9: room 1 has 4");
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
 }
 
@@ -266,7 +474,7 @@ TEST(PlanEditor, AWallDoesNotMoveIntoAnotherRoomOfItsStorey)
 {
   PlanEditor editor(twoRooms());
   EXPECT_FALSE(editor.moveWall(1, 2, 0.5)); // x = 4; the other room begins at 4.2
-  EXPECT_EQ(editor.getErrorMessage(), "room 1 would then overlap room 2 by 0.9 m2");
+  EXPECT_EQ(editor.getErrorMessage(), "room 1 would then overlap room 2 by 0.90 m2");
   EXPECT_TRUE(editor.moveWall(1, 2, 0.2)) << "to its face";
   EXPECT_FALSE(editor.moveWall(1, 2, -4.2)) << "to the wall across the room";
   Floorplan plan = twoRooms();
@@ -329,6 +537,104 @@ TEST(PlanEditor, NichesAndOpeningsTurnWithTheirWall)
   const PlanOpening& turned = editor.getFloorplan().openings.at(0);
   for (const Eigen::Vector2d& jamb : {turned.start, turned.end})
     EXPECT_LT(squared.boundary.elements[2].distance(jamb), 1e-9);
+}
+
+TEST(PlanEditor, AJogANotchAndABayAreRemoved)
+{
+  Floorplan plan;
+  plan.rooms = {roomOf(sedr_test::polygon({{0, 0},
+                                           {6, 0},
+                                           {6, 3},
+                                           {4, 3},
+                                           {4, 3.2},
+                                           {3, 3.2},
+                                           {3, 2.8},
+                                           {2, 2.8},
+                                           {2, 3.2},
+                                           {0, 3.2}}),
+                       2.5, 1)};
+  PlanEditor jog(plan);
+  ASSERT_TRUE(jog.removeJog(1, 4)) << jog.getErrorMessage(); // x = 4
+  expectValid(jog);
+  EXPECT_NEAR(jog.getFloorplan().rooms[0].area(), 18.4 - 0.2, 1e-9)
+      << "the shorter one moves into the line of the longer, here inwards";
+  PlanEditor notch(plan);
+  ASSERT_TRUE(notch.removeJog(1, 7)) << notch.getErrorMessage(); // y = 2.8
+  expectValid(notch);
+  EXPECT_EQ(notch.getFloorplan().rooms[0].boundary.elements.size(), 6u);
+  EXPECT_NEAR(notch.getFloorplan().rooms[0].area(), 6 * 3.2 - 0.4, 1e-9);
+  EXPECT_EQ(
+      notch.getSentence(),
+      "wall 1.7 is moved outwards by 0.400 m into the line of wall 1.9; room 1 has "
+      "18.80 m2 in place of 18.40 and 6 walls in place of 10, numbered anew");
+  EXPECT_FALSE(notch.removeJog(1, 1));
+  EXPECT_EQ(notch.getErrorMessage(),
+            "wall 1.1 is neither between two parallel walls nor "
+            "the end of a notch or bay");
+}
+
+TEST(PlanEditor, AWallMovedBeyondItsNeighbourTakesItAway)
+{
+  Floorplan plan; // a wedge: the sides meet 1 m above its top of 1 m
+  plan.rooms = {roomOf(sedr_test::polygon({{0, 0}, {3, 0}, {2, 2}, {1, 2}}), 2.5, 1)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.moveWall(1, 3, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 3u);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 3 * 3 / 2.0, 1e-9);
+}
+
+TEST(PlanEditor, FloorsCeilingsAndStoreysAreSetToAHeight)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[0].details = {{rectangle(0, 0, 1, 3), {}, sedr_test::slabAt(2.4), true},
+                           {rectangle(2, 0, 3, 3), {}, sedr_test::slabAt(2.2), false}};
+  PlanFlight flight;
+  for (const double x : {5.0, 5.2, 5.4, 5.6})
+    flight.risers.push_back({Eigen::Vector2d(x, 2), {x, 1}});
+  flight.rise = 0.7;
+  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 2.5, 3));
+  plan.rooms[2].floor = sedr_test::slabAt(2.8);
+  plan.rooms[2].ceiling = sedr_test::slabAt(5.3);
+  plan.storeys.push_back({2, "first", 2.8, 5.3, {3}});
+  plan.stairs = {{{1, 3}, {5, 1.5}, 0, 2.8, {flight}}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.setCeiling(1, 2.6)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getSentence(), "the ceiling of room 1 is at z 2.600 m, it was at "
+                                  "2.500");
+  const PlanRoom& room = editor.getFloorplan().rooms[0];
+  EXPECT_NEAR(room.ceiling.heightAt({1, 1}), 2.6, 1e-12);
+  EXPECT_NEAR(room.details[0].slab.heightAt({1, 1}), 2.5, 1e-12) << "a facet of it";
+  EXPECT_NEAR(room.details[1].slab.heightAt({1, 1}), 2.2, 1e-12) << "a beam";
+  ASSERT_TRUE(editor.setFloor(1, -0.1)) << editor.getErrorMessage();
+  EXPECT_NEAR(editor.getFloorplan().openings[0].bottom, -0.1, 1e-12);
+  EXPECT_FALSE(editor.setFloor(1, 3));
+  EXPECT_EQ(editor.getErrorMessage(), "its ceiling is at z 2.600 m");
+  ASSERT_TRUE(editor.setStorey(2, 3.0)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[2].ceiling.heightAt({1, 1}), 5.5, 1e-12);
+  EXPECT_NEAR(editor.getFloorplan().stairs[0].flights[0].top(), 3.0, 1e-12);
+  EXPECT_NEAR(editor.getFloorplan().rooms[1].floor.heightAt({5, 1}), 0, 1e-12);
+  EXPECT_FALSE(editor.setStorey(3, 6));
+}
+
+TEST(PlanEditor, PartsAreRemovedByTheirNamesInTheSolid)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[0].columns = {reversed(rectangle(1, 1, 1.3, 1.3)),
+                           reversed(rectangle(2, 1, 2.4, 1.4))};
+  plan.rooms[0].floor_details = {{rectangle(0, 0, 1, 3), {}, sedr_test::slabAt(0.2)}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.remove("room_1_column_1")) << editor.getErrorMessage();
+  ASSERT_EQ(editor.getFloorplan().rooms[0].columns.size(), 1u);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].columns[0].area(), -0.16, 1e-12);
+  ASSERT_TRUE(editor.remove("room_1_floor_detail_1")) << editor.getErrorMessage();
+  EXPECT_TRUE(editor.getFloorplan().rooms[0].floor_details.empty());
+  EXPECT_FALSE(editor.remove("room_1_column_2"));
+  EXPECT_EQ(editor.getErrorMessage(),
+            "room 1 has 1 columns, 0 floor_details, 0 details and 0 niches");
+  EXPECT_FALSE(editor.remove("column 2"));
+  EXPECT_FALSE(editor.remove("room_1_column_1x"));
 }
 
 TEST(PlanEditor, NearlySquareCornersBecomeSquare)

@@ -72,14 +72,24 @@ foldersOf(const fs::path& folder, const std::vector<std::string>& names)
   return folders;
 }
 
-/** @brief Keeps a file that is newer than the report of its run as file~, or file~~ if
- * there is one already, ... */
+/** @brief Returns whether the report in a folder tells of edits by hand. */
+bool
+isEdited(const fs::path& folder)
+{
+  std::ifstream stream(folder / "report.json", std::ios::binary);
+  const auto report = nlohmann::json::parse(stream, nullptr, false);
+  return report.is_object() && !report.value("edits", nlohmann::json()).empty();
+}
+
+/** @brief Keeps a file that is newer than the report of its run, or edited by hand, as
+ * file~, or file~~ if there is one already, ... */
 void
 keepEdited(const fs::path& folder, const std::string& name)
 {
   std::error_code error;
   const auto written = fs::last_write_time(folder / "report.json", error);
-  if (error || !(fs::last_write_time(folder / name, error) > written))
+  if (error ||
+      !(fs::last_write_time(folder / name, error) > written || isEdited(folder)))
     return;
   std::string kept = name + "~";
   while (fs::exists(fs::symlink_status(folder / kept, error)))
@@ -167,8 +177,12 @@ finishExchange(const fs::path& folder)
                         [](const auto& name) { return name != "report.json"; });
   const std::vector<std::string> removed = namesOf(folder, journal, "removed");
   std::error_code error;
-  if (fs::exists(part / "floorplan.json", error) ||
-      std::count(removed.begin(), removed.end(), "floorplan.json") > 0)
+  const auto isKept = [](const std::string& name) { return name.back() == '~'; };
+  const bool is_edit = std::any_of(moved.begin(), moved.end(), isKept) ||
+                       std::any_of(removed.begin(), removed.end(), isKept);
+  if (!is_edit && // which keeps the plan before by itself
+      (fs::exists(part / "floorplan.json", error) ||
+       std::count(removed.begin(), removed.end(), "floorplan.json") > 0))
     keepEdited(folder, "floorplan.json");
   for (const auto& name : moved) {
     if (!fs::exists(part / name, error))

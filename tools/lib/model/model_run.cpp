@@ -5,6 +5,7 @@
 #include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"
+#include "plan_files.h"
 #include "report.h"
 #include "report/report_page.h"
 #include "run_tool.h"
@@ -16,9 +17,7 @@
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_surface/src/sheet/sheet.h"
-#include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/impl/refinement.h>
-#include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
@@ -43,12 +42,17 @@ constexpr const char* plan_picture = "pictures/floorplan_fitting.png";
 std::vector<std::string>
 outputNames(const ModelSettings& settings)
 {
+<<<<<<< HEAD
   std::vector<std::string> names{"structure.pcd", "solid.ply",  "solid.obj",
                                  "solid.mtl",     "model.ifc",  "floorplan.json",
                                  "model.glb",     "rooms.csv",  "openings.csv",
                                  "walls.csv",     "report.json"};
   for (const DrawingSheet& sheet : allDrawings({}))
     names.push_back(sheet.path);
+=======
+  std::vector<std::string> names = planFileNames();
+  names.insert(names.end(), {"structure.pcd", "report.json"});
+>>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
   if (!settings.no_mesh)
     names.push_back("mesh.ply");
   if (settings.report)
@@ -181,9 +185,9 @@ scanSum(const StructureModel& model)
   return formatText("%016llx", static_cast<unsigned long long>(sum.checksum()));
 }
 
-/** @brief Writes the model without drawings and report. */
+/** @brief Writes the points and the mesh. */
 void
-writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
+writePoints(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
   const StructureModel& model = chain.getModel();
   const Origin& origin = chain.getOrigin();
@@ -194,10 +198,14 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
         model.isMoved() // otherwise no copy is needed
             ? meshToPly(chain.meshInScanFrame(), originComments(origin))
             : meshToPly(chain.getStages().poisson.getMesh(), originComments(origin)));
-  writeWhole(folder.file("floorplan.json"),
-             documentToJson({*model.plan, origin, model.levelling,
-                             chain.getPriors().max_wall, scanSum(model)}));
+}
+
+PlanFiles
+planFiles(const ModelSettings& settings, const Reconstruction& chain)
+{
+  const StructureModel& model = chain.getModel();
   const auto& extrusion = chain.getStages().extrusion;
+<<<<<<< HEAD
   const TriangleMesh solid = model.inScanFrame(extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
     saveSolid(folder.file(name), solid, extrusion.getElements(), *model.plan, origin);
@@ -248,6 +256,14 @@ writeDrawings(const OutputFolder& folder,
   parallelBlocks(sheets.size(), 1, settings.threads, [&](std::size_t k, std::size_t) {
     saveDrawing(sheets[k], plan, drawingSettings(settings, chain));
   });
+=======
+  return {{*model.plan, chain.getOrigin(), model.levelling, chain.getPriors().max_wall,
+           scanSum(model)},
+          model.inScanFrame(extrusion.getMesh()),
+          extrusion.getElements(),
+          settings.project,
+          settings.threads};
+>>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
 }
 
 void
@@ -303,6 +319,7 @@ makeModel(const ModelSettings& settings,
   RunRecord record;
   record.inputs = settings.inputs;
   record.reading = settings.scan.settings;
+  record.project = settings.project;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
   });
@@ -316,13 +333,18 @@ makeModel(const ModelSettings& settings,
       record.figures = evaluate(chain, settings.threads, report);
     }));
   record.stages.push_back(timed("writing", [&](StageReport& report) {
+    const PlanFiles of_plan = planFiles(settings, chain);
+    IfcModel ifc;
     const std::function<void()> files[] = {
-        [&] { writeModel(folder, chain, !settings.no_mesh); },
-        [&] { writeBuildingModel(folder, settings, chain, record); },
-        [&] { writeDrawings(folder, settings, chain); },
-        [&] { writePictures(folder, chain); }};
-    parallelBlocks(settings.pictures ? 4 : 3, 1, settings.threads,
+        [&] { writePoints(folder, chain, !settings.no_mesh); },
+        [&] { writeSolids(folder, of_plan); },
+        [&] { ifc = writeBuildingModel(folder, of_plan); },
+        [&] { writeDrawings(folder, of_plan); }, [&] { writePictures(folder, chain); }};
+    parallelBlocks(settings.pictures ? 5 : 4, 1, settings.threads,
                    [&](std::size_t k, std::size_t) { files[k](); });
+    record.schedules = ifc.schedules;
+    record.warnings.insert(record.warnings.end(), ifc.warnings.begin(),
+                           ifc.warnings.end());
     report.points_in = report.points_out = chain.getStructure()->size();
   }));
   record.files = folder.written();

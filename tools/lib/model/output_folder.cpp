@@ -216,11 +216,10 @@ OutputFolder::written() const
 }
 
 void
-OutputFolder::exchange()
+OutputFolder::exchange(std::vector<std::string> removed)
 {
   const std::vector<std::string> names = written();
   check(names);
-  std::vector<std::string> removed;
   for (const auto& name : writtenFiles(path_))
     if (!std::binary_search(names.begin(), names.end(), name) && !isInput(path_ / name))
       removed.push_back(name);

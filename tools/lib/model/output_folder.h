@@ -36,8 +36,9 @@ public:
   std::vector<std::string> written() const;
 
   /** @brief Moves all files into the folder, and removes those of an earlier run, which
-   * its report.json lists, except inputs; a plan that was edited since is kept. */
-  void exchange();
+   * its report.json lists, except inputs; a plan that was edited since is kept.
+   * @param removed names of others to remove */
+  void exchange(std::vector<std::string> removed = {});
 
 private:
   void lock();

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
+
+#include "plan_report.h"
 #include "report_settings.h"
 #include "wall_maps.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
+<<<<<<< HEAD
 #include "sedr_surface/src/sheet/text_spot.h"
+=======
+>>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/coverage.h>
@@ -13,10 +18,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
 #include <sstream>
+#include <utility>
 
 namespace pcl::sedr::tools {
 
@@ -27,21 +30,6 @@ using Reconstruction = IndoorStructureReconstruction<pcl::PointXYZ>;
 
 constexpr const char* format_name = "sedr-report";
 constexpr int format_version = 1;
-
-/** @brief Rounds real numbers to seven digits, the precision of floats, which would
- * have more digits as doubles. */
-void
-roundNumbers(Json& json)
-{
-  if (json.is_number_float()) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.7g", json.get<double>());
-    json = std::strtod(text, nullptr);
-  }
-  else if (json.is_structured())
-    for (auto& part : json)
-      roundNumbers(part);
-}
 
 /** @brief Returns the results from scanner positions, or null. */
 Json
@@ -81,63 +69,20 @@ meshOf(const ChainStages& chain, std::uint32_t room)
   return nullptr;
 }
 
-Json
-solidOf(const ChainStages& chain, std::uint32_t room)
+/** @brief Tells of rooms what their plan does not: what of them was hidden, and their
+ * meshes. */
+void
+tellScanOfRooms(const Reconstruction& chain, Json& rooms)
 {
-  for (const auto& report : chain.extrusion.getReports())
-    if (report.room == room)
-      return {{"closed_manifold", report.closed},
-              {"triangles", report.triangles},
-              {"area", report.area},
-              {"floor_area", report.floor_area},
-              {"ceiling_area", report.ceiling_area},
-              {"wall_area", report.wall_area},
-              {"riser_area", report.riser_area},
-              {"volume", report.volume},
-              {"problem", report.problem}};
-  return nullptr;
-}
-
-/** @brief Returns how much of walls was measured; null if that is not known. */
-Json
-supportOf(const WallShares& walls)
-{
-  return walls.area > 0 ? Json{{"measured", walls.measured},
-                               {"inferred", walls.inferred},
-                               {"unseen", walls.unseen}}
-                        : Json();
-}
-
-Json
-roomsOf(const RunRecord& run, const Reconstruction& chain)
-{
-  Json rooms = Json::array();
-  const Floorplan& plan = *chain.getFloorplan();
-  const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
-  const std::vector<BuildingRoom>& found =
-      chain.getStages().room_segmentation.getBuilding().rooms;
-  for (const RoomRow& row : run.schedules.rooms) {
-    const PlanRoom& room = *findRoom(plan, row.id);
-    const auto seen =
-        std::find_if(found.begin(), found.end(),
-                     [&](const BuildingRoom& r) { return r.id == room.id; });
-    const bool is_known = seen != found.end();
-    rooms.push_back({{"id", room.id},
-                     {"storey", storeys.at(room.id)},
-                     {"area", row.area},
-                     {"perimeter", row.perimeter},
-                     {"height", row.height},
-                     {"volume", row.volume},
-                     {"walls", room.boundary.elements.size()},
-                     {"columns", room.columns.size()},
-                     {"details", room.details.size()},
-                     {"support", supportOf(wallShares(plan, room))},
-                     {"inferred_area", is_known ? seen->inferred : 0},
-                     {"unseen_outline", is_known ? seen->unseen_outline : 0},
-                     {"solid", solidOf(chain.getStages(), room.id)},
-                     {"mesh", meshOf(chain.getStages(), room.id)}});
-  }
-  return rooms;
+  for (const BuildingRoom& found :
+       chain.getStages().room_segmentation.getBuilding().rooms)
+    for (Json& room : rooms)
+      if (room["id"] == found.id) {
+        room["inferred_area"] = found.inferred;
+        room["unseen_outline"] = found.unseen_outline;
+      }
+  for (Json& room : rooms)
+    room["mesh"] = meshOf(chain.getStages(), room["id"]);
 }
 
 /** @brief Returns the frame in which the building was found: the angle by which its x
@@ -160,50 +105,6 @@ noiseOf(const std::vector<WallNoise>& storeys)
                    {"correlation", noise.correlation},
                    {"stretches", noise.stretches}});
   return all;
-}
-
-Json
-storeysOf(const Reconstruction& chain)
-{
-  const Floorplan& plan = *chain.getFloorplan();
-  Json storeys = Json::array();
-  for (const PlanStorey& storey : pcl::sedr::storeysOf(plan)) {
-    double area = 0;
-    for (const PlanRoom& room : partOf(plan, storey).rooms)
-      area += room.area();
-    storeys.push_back({{"number", storey.number},
-                       {"name", storey.name},
-                       {"floor", storey.floor},
-                       {"area", area},
-                       {"rooms", storey.rooms}});
-  }
-  return storeys;
-}
-
-/** @brief Returns the sizes of doors, windows and passages. */
-Json
-openingsOf(const Floorplan& plan)
-{
-  Json openings = Json::array();
-  for (const PlanOpening& opening : plan.openings)
-    openings.push_back({{"number", markOf(opening)},
-                        {"kind", nameOf(opening.kind)},
-                        {"rooms", opening.rooms},
-                        {"width", opening.width()},
-                        {"height", opening.height()},
-                        {"bottom", opening.bottom},
-                        {"confidence", opening.confidence},
-                        {"residual", opening.residual}});
-  return openings;
-}
-
-Json
-schedulesOf(const Schedules& schedules)
-{
-  Json tables;
-  for (const ScheduleTable& table : tablesOf(schedules))
-    tables[table.name] = {{"columns", table.columns}, {"rows", table.rows}};
-  return tables;
 }
 
 Json
@@ -233,35 +134,6 @@ coverageOf(const Coverage& coverage)
           {"left_out", left_out}};
 }
 
-/** @brief Returns the place of a warning in plan, null if it has none. */
-Json
-placeOf(const PlanWarning& warning, const Floorplan& plan)
-{
-  Eigen::Vector2d at = warning.at;
-  for (const PlanRoom& room : plan.rooms)
-    if (room.id == warning.room && !at.allFinite()) {
-      const std::vector<PlanElement>& walls = room.boundary.elements;
-      at = warning.wall > 0 && warning.wall <= walls.size()
-               ? walls[warning.wall - 1].pointAt(walls[warning.wall - 1].length() / 2)
-               : textSpotIn(room.boundary, room.columns).place;
-    }
-  return at.allFinite() ? Json{at.x(), at.y()} : Json();
-}
-
-Json
-warningsOf(const std::vector<PlanWarning>& list, const Floorplan& plan)
-{
-  Json warnings = Json::array();
-  for (const PlanWarning& warning : list)
-    warnings.push_back({{"kind", nameOf(warning.kind)},
-                        {"room", warning.room},
-                        {"wall", warning.wall},
-                        {"at", placeOf(warning, plan)},
-                        {"values", warning.values},
-                        {"text", sentenceOf(warning)}});
-  return warnings;
-}
-
 } // namespace
 
 std::string
@@ -273,7 +145,8 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
     writeJson(stream, *run.figures);
     evaluation = Json::parse(stream.str());
   }
-  const std::optional<Levelling>& levelling = chain.getModel().levelling;
+  const StructureModel& model = chain.getModel();
+  const Floorplan& plan = *chain.getFloorplan();
   Json json{{"format", format_name},
             {"version", format_version},
             {"files", run.files},
@@ -281,27 +154,23 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"parameters", parametersOf(run, chain)},
             {"priors", priorsOf(chain)},
             {"stages", stagesOf(run)},
-            {"storeys", storeysOf(chain)},
-            {"origin", nullptr}, // reserves its position here
-            {"levelling", levelling ? levellingToJson(*levelling) : Json()},
-            {"frame", frameOf(chain.getModel())},
-            {"positions", positionsOf(chain.getModel().mirrored)},
+            {"storeys", nullptr}, // reserves its position, as others do
+            {"origin", nullptr},
+            {"levelling", model.levelling ? levellingToJson(*model.levelling) : Json()},
+            {"frame", frameOf(model)},
+            {"positions", positionsOf(model.mirrored)},
             {"noise", noiseOf(chain.getStages().floorplan_fitting.getWallNoise())},
-            {"support", supportOf(wallShares(*chain.getFloorplan()))},
-            {"rooms", roomsOf(run, chain)},
-            {"schedules", schedulesOf(run.schedules)},
-            {"openings", openingsOf(*chain.getFloorplan())},
+            {"support", nullptr},
+            {"rooms", nullptr},
+            {"schedules", nullptr},
+            {"openings", nullptr},
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
-            {"warnings", warningsOf(run.warnings, *chain.getFloorplan())},
-            {"unlikely",
-             warningsOf(unlikelyPlaces(*chain.getFloorplan()), *chain.getFloorplan())}};
-  roundNumbers(json);
-  const Eigen::Vector3d& origin = chain.getOrigin().place;
-  json["origin"] = {origin.x(), origin.y(), origin.z()}; // with full precision
-  // A path may contain any bytes; invalid UTF-8 becomes U+FFFD.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+            {"warnings", warningsOf(run.warnings, plan)}};
+  setPlan(json, plan, run.schedules, chain.getStages().extrusion.getReports());
+  tellScanOfRooms(chain, json["rooms"]);
+  return textOf(std::move(json), chain.getOrigin());
 }
 
 std::string

@@ -20,6 +20,7 @@ struct RunRecord {
   std::vector<std::string> inputs; ///< files and folders
   std::size_t points = 0;
   ScanSettings reading;           ///< of the scan
+  std::string project;            ///< its name, may be empty
   std::vector<std::string> files; ///< that the run wrote, names in the folder
   Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing

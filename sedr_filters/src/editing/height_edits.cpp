@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../base/number_text.h"
+
+#include <pcl/sedr_filters/plan_editor.h>
+#include <pcl/sedr_filters/plan_measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief Raises a floor or ceiling by a height, with its slopes. */
+void
+lift(PlanSlab& slab, std::vector<PlanDetail>& details, double by)
+{
+  PlanRoom carrier;
+  carrier.floor = slab;
+  carrier.details = details;
+  carrier = moved({{carrier}}, 0, {0, 0, by}).rooms[0];
+  slab = carrier.floor;
+  for (std::size_t k = 0; k < details.size(); ++k)
+    if (details[k].is_facet)
+      details[k] = carrier.details[k];
+}
+
+/** @brief Returns a sentence, "the floor of room 3 is at z 0.100 m, it was at 0.000".
+ */
+std::string
+raisedText(const char* what, std::uint32_t number, double before, double by)
+{
+  return what + std::to_string(number) +
+         formatText(" is at z %.3f m, it was at %.3f", before + by, before);
+}
+
+/** @brief Removes one of some parts, counted from 1.
+ * @return false if there is none */
+template <typename Part>
+bool
+erase(std::vector<Part>& parts, std::size_t number)
+{
+  if (number < 1 || number > parts.size())
+    return false;
+  parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(number) - 1);
+  return true;
+}
+
+} // namespace
+
+bool
+PlanEditor::setFloor(std::uint32_t room, double z)
+{
+  return apply(room, [&](Floorplan& plan, PlanRoom& of) -> std::string {
+    const RoomHeights heights = heightsOf(of);
+    if (!(z < heights.high))
+      return formatText("its ceiling is at z %.3f m", heights.high);
+    constexpr double on_floor = 0.05; // metres
+    std::vector<PlanOpening*> standing;
+    for (PlanOpening& opening : plan.openings)
+      if (std::any_of(opening.walls.begin(), opening.walls.end(),
+                      [&](const OpeningWall& wall) { return wall.room == room; }) &&
+          std::abs(opening.bottom - heights.low) < on_floor)
+        standing.push_back(&opening);
+    for (PlanOpening* opening : standing)
+      opening->bottom = std::min(z, opening->top);
+    lift(of.floor, of.floor_details, z - heights.low);
+    sentence_ = raisedText("the floor of room ", room, heights.low, z - heights.low);
+    return {};
+  });
+}
+
+bool
+PlanEditor::setCeiling(std::uint32_t room, double z)
+{
+  return apply(room, [&](Floorplan&, PlanRoom& of) -> std::string {
+    const RoomHeights heights = heightsOf(of);
+    if (!(z > heights.low))
+      return formatText("its floor is at z %.3f m", heights.low);
+    lift(of.ceiling, of.details, z - heights.high);
+    sentence_ =
+        raisedText("the ceiling of room ", room, heights.high, z - heights.high);
+    return {};
+  });
+}
+
+bool
+PlanEditor::setStorey(std::uint32_t number, double z)
+{
+  return apply([&](Floorplan& plan) -> std::string {
+    const std::vector<PlanStorey> storeys = storeysOf(plan);
+    const auto storey =
+        std::find_if(storeys.begin(), storeys.end(),
+                     [&](const PlanStorey& s) { return s.number == number; });
+    if (storey == storeys.end() || !std::isfinite(z))
+      return "the plan has no storey " + std::to_string(number);
+    const double by = z - storey->floor;
+    const Floorplan raised = moved(plan, 0, {0, 0, by});
+    const auto isOf = [&](std::uint32_t room) {
+      return std::count(storey->rooms.begin(), storey->rooms.end(), room) > 0;
+    };
+    for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+      if (isOf(plan.rooms[r].id))
+        plan.rooms[r] = raised.rooms[r];
+    for (std::size_t o = 0; o < plan.openings.size(); ++o)
+      if (isOf(plan.openings[o].walls.front().room))
+        plan.openings[o] = raised.openings[o];
+    for (PlanStair& stair : plan.stairs) {
+      const double low = stair.bottom;
+      const double old_rise = stair.top - low;
+      stair.bottom += isOf(stair.rooms[0]) ? by : 0;
+      stair.top += isOf(stair.rooms[1]) ? by : 0;
+      const double stretch = (stair.top - stair.bottom) / old_rise;
+      if (!(stretch > 0))
+        return "a stair would lead nowhere";
+      for (PlanFlight& flight : stair.flights) {
+        flight.bottom = stair.bottom + stretch * (flight.bottom - low);
+        flight.rise *= stretch;
+      }
+    }
+    sentence_ = raisedText("storey ", number, storey->floor, by);
+    return {};
+  });
+}
+
+bool
+PlanEditor::remove(const std::string& part)
+{
+  unsigned room = 0;
+  char kind[16] = "";
+  unsigned number = 0;
+  char rest = 0;
+  if (std::sscanf(part.c_str(), "room_%9u_%15[a-z]_%9u%c", &room, kind, &number,
+                  &rest) != 3)
+    std::sscanf(part.c_str(), "room_%9u_floor_%15[a-z]_%9u%c", &room, kind, &number,
+                &rest);
+  return apply(room, [&](Floorplan&, PlanRoom& of) -> std::string {
+    const std::string begin = "room_" + std::to_string(room) + "_";
+    const auto is = [&](const char* what) {
+      return part == begin + what + std::to_string(number);
+    };
+    const bool is_removed = (is("column_") && erase(of.columns, number)) ||
+                            (is("detail_") && erase(of.details, number)) ||
+                            (is("floor_detail_") && erase(of.floor_details, number)) ||
+                            (is("niche_") && erase(of.niches, number));
+    sentence_ = part + " is removed";
+    const auto count = [](const auto& parts, const char* what) {
+      return std::to_string(parts.size()) + " " + what;
+    };
+    return is_removed
+               ? ""
+               : "room " + std::to_string(room) + " has " +
+                     count(of.columns, "columns, ") +
+                     count(of.floor_details, "floor_details, ") +
+                     count(of.details, "details and ") + count(of.niches, "niches");
+  });
+}
+
+} // namespace pcl::sedr

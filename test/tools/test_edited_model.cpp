@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "in_folder.h"
+#include "sample_files.h"
+#include "sample_result.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace {
+
+using namespace programs;
+using Json = nlohmann::ordered_json;
+
+/** Edits of a folder with two rooms of which a run has told doubts. */
+class EditedModel : public InFolder<> {
+protected:
+  void SetUp() override
+  {
+    SampleResult().writeTo(model());
+    writeFile(in("model/floorplan_1.svg"), "of a building with storeys");
+    writeFile(in("model/notes.txt"), "of the user");
+    const auto doubt = [](int room, int wall, const char* text) {
+      return Json{{"kind", "wall_off"}, {"room", room}, {"wall", wall}, {"text", text}};
+    };
+    Json report = reportNow();
+    report["files"] = {"structure.pcd", "mesh.ply",        "floorplan.json",
+                       "solid.ply",     "floorplan_1.svg", "report.json"};
+    report["rooms"] = {{{"id", 1}, {"mesh", "of 1"}}, {{"id", 2}, {"mesh", "of 2"}}};
+    report["walls"] = {{{"room", 1}, {"walls", {3}}}, {{"room", 2}, {"walls", {2}}}};
+    report["warnings"] = {doubt(0, 0, "of all"), doubt(1, 3, "wall 1.3: off"),
+                          doubt(1, 0, "room 1: low"), doubt(2, 2, "wall 2.2: off"),
+                          doubt(2, 0, "room 2: low")};
+    writeFile(in("model/report.json"), report.dump());
+  }
+
+  std::string model() const { return in("model"); }
+
+  Json reportNow() const { return Json::parse(bytesOf(in("model/report.json"))); }
+
+  bool has(const std::string& name) const
+  {
+    return std::filesystem::exists(in("model/" + name));
+  }
+
+  /** Returns the texts of all doubts. */
+  std::vector<std::string> doubts() const
+  {
+    std::vector<std::string> texts;
+    const Json report = reportNow();
+    for (const Json& warning : report["warnings"])
+      texts.push_back(warning["text"]);
+    return texts;
+  }
+};
+
+TEST_F(EditedModel, AllFilesThatFollowFromThePlanAreOfTheNewOneAndAgree)
+{
+  const std::string mesh = bytesOf(in("model/mesh.ply"));
+  const ProgramRun result =
+      run(FLOORPLAN_EDIT, {model(), "--move-wall", "2.2=0.5", "--name", "2=Küche"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "wall 2.2 is moved outwards by 0.500 m; room 2 has 12.00 m2 in "
+                        "place of 10.50\nroom 2 is called Küche\nall files that follow "
+                        "from the plan are written, still of the scan: mesh.ply, "
+                        "structure.pcd\n");
+  for (const char* name :
+       {"floorplan.svg", "floorplan.pdf", "floorplan.dxf", "model.ifc", "model.glb",
+        "solid.obj", "walls.csv", "openings.csv", "notes.txt", "structure.pcd"})
+    EXPECT_TRUE(has(name)) << name;
+  EXPECT_FALSE(has("floorplan_1.svg")) << "of a plan before";
+  EXPECT_FALSE(has("report.html")) << "there was none";
+  EXPECT_EQ(bytesOf(in("model/mesh.ply")), mesh);
+  const Json room = reportNow()["rooms"][1];
+  EXPECT_NEAR(room["area"], 12, 1e-6);
+  EXPECT_NEAR(room["solid"]["volume"], 12 * 2.5, 1e-6);
+  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("2,Küche,storey 1,12.000,"),
+            std::string::npos);
+  EXPECT_NE(bytesOf(in("model/model.ifc")).find("12."), std::string::npos);
+  EXPECT_NE(bytesOf(in("model/floorplan.svg")).find("12.00 m"), std::string::npos);
+}
+
+TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)
+{
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--move-wall", "2.2=0.5"}).exit_code, 0);
+  const Json report = reportNow();
+  EXPECT_EQ(report["rooms"][0]["mesh"], "of 1");
+  EXPECT_TRUE(report["rooms"][1]["mesh"].is_null());
+  ASSERT_EQ(report["walls"].size(), 1u);
+  EXPECT_EQ(report["walls"][0]["room"], 1);
+  std::vector<std::string> texts = doubts();
+  ASSERT_FALSE(texts.empty());
+  EXPECT_EQ(texts[0].find("the plan was edited by hand: wall 2.2 is moved"), 0u);
+  texts.erase(texts.begin());
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"of all", "wall 1.3: off", "room 1: low",
+                                      "room 2: low (before the plan was edited)"}));
+}
+
+TEST_F(EditedModel, DoubtsOfWallsFollowTheirNumbers)
+{
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "1,2,-9,2,9"}).exit_code, 0);
+  std::string problem;
+  const auto plan =
+      pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem);
+  ASSERT_EQ(plan.rooms.size(), 3u) << problem;
+  EXPECT_EQ(reportNow()["warnings"].size(), 5u) << "1.3 was cut: its doubt goes";
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--merge", "3,2"}).exit_code, 0);
+  const Json report = reportNow();
+  const auto doubt =
+      std::find_if(report["warnings"].begin(), report["warnings"].end(),
+                   [](const Json& warning) { return warning["wall"] != 0; });
+  ASSERT_NE(doubt, report["warnings"].end());
+  EXPECT_EQ((*doubt)["room"], 3);
+  EXPECT_EQ((*doubt)["text"],
+            "wall 3." + std::to_string((*doubt)["wall"].get<int>()) + ": off");
+  EXPECT_EQ(report["edits"].size(), 2u);
+}
+
+TEST_F(EditedModel, UndoGoesBackToThePlanAndTheReportBefore)
+{
+  const std::string plan = bytesOf(in("model/floorplan.json"));
+  const auto first = doubts();
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--drop", "1"}).exit_code, 0);
+  const std::string one_room = bytesOf(in("model/floorplan.json"));
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "2=3"}).exit_code, 0);
+  EXPECT_TRUE(has("floorplan.json~") && has("report.json~~"));
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
+  EXPECT_EQ(bytesOf(in("model/floorplan.json")), one_room);
+  EXPECT_FALSE(has("floorplan.json~~"));
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
+  EXPECT_EQ(bytesOf(in("model/floorplan.json")), plan);
+  EXPECT_EQ(doubts(), first);
+  EXPECT_FALSE(has("floorplan.json~") || has("report.json~"));
+  expectSentence(run(FLOORPLAN_EDIT, {model(), "--undo"}), 1, "no edit to undo");
+}
+
+TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
+{
+  const std::string report = bytesOf(in("model/report.json"));
+  expectSentence(run(FLOORPLAN_EDIT, {model(), "--merge", "1,7"}), 1,
+                 "no other room 7");
+  expectSentence(run(FLOORPLAN_EDIT, {model(), in("x.json"), "--drop", "1"}), 1,
+                 "folder");
+  EXPECT_EQ(bytesOf(in("model/report.json")), report);
+  EXPECT_FALSE(has("floorplan.json~") || has("model.ifc"));
+  std::filesystem::remove(in("model/report.json"));
+  expectSentence(run(FLOORPLAN_EDIT, {model(), "--drop", "1"}), 1, "no report.json");
+}
+
+} // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_files.h"
+
+#include "bytes/whole_file.h"
+#include "solid_files.h"
+
+#include "sedr_filters/src/base/parallel_for.h"
+
+namespace pcl::sedr::tools {
+
+std::vector<std::string>
+planFileNames()
+{
+  return {"solid.ply",      "solid.obj",     "solid.mtl",     "model.ifc",
+          "floorplan.json", "floorplan.svg", "floorplan.pdf", "floorplan.dxf",
+          "model.glb",      "rooms.csv",     "openings.csv",  "walls.csv"};
+}
+
+void
+writeSolids(const OutputFolder& folder, const PlanFiles& files)
+{
+  const PlanDocument& document = files.document;
+  writeWhole(folder.file("floorplan.json"), documentToJson(document));
+  for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
+    saveSolid(folder.file(name), files.solid, files.elements, document.plan,
+              document.origin);
+}
+
+IfcModel
+writeBuildingModel(const OutputFolder& folder, const PlanFiles& files)
+{
+  const PlanDocument& document = files.document;
+  IfcSettings settings;
+  if (!files.project.empty())
+    settings.name = files.project;
+  settings.scan = document.scan;
+  settings.max_wall = document.max_wall;
+  IfcModel model = writeIfc(document.plan, settings, document.origin);
+  writeWhole(folder.file("model.ifc"), model.text);
+  for (const ScheduleTable& table : tablesOf(model.schedules))
+    writeWhole(folder.file(table.name + ".csv"), csvOf(table));
+  return model;
+}
+
+void
+writeDrawings(const OutputFolder& folder, const PlanFiles& files)
+{
+  const PlanDocument& document = files.document;
+  DrawingSettings settings;
+  settings.project = files.project;
+  settings.max_wall = document.max_wall;
+  settings.origin = document.origin;
+  std::vector<DrawingSheet> sheets;
+  for (const char* name : {"floorplan.svg", "floorplan.pdf", "floorplan.dxf"})
+    for (const DrawingSheet& sheet : drawingSheets(name, document.plan))
+      sheets.push_back({folder.file(sheet.path), sheet.storey});
+  parallelBlocks(sheets.size(), 1, files.threads, [&](std::size_t k, std::size_t) {
+    saveDrawing(sheets[k], document.plan, settings);
+  });
+}
+
+} // namespace pcl::sedr::tools

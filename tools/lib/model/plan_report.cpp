@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_report.h"
+
+#include "sedr_surface/src/drawing/text_spot.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/coverage.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+namespace pcl::sedr::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+solidOf(const std::vector<RoomSolidReport>& solids, std::uint32_t room)
+{
+  for (const auto& report : solids)
+    if (report.room == room)
+      return {{"closed_manifold", report.closed},
+              {"triangles", report.triangles},
+              {"area", report.area},
+              {"floor_area", report.floor_area},
+              {"ceiling_area", report.ceiling_area},
+              {"wall_area", report.wall_area},
+              {"riser_area", report.riser_area},
+              {"volume", report.volume},
+              {"problem", report.problem}};
+  return nullptr;
+}
+
+/** @brief Returns how much of walls was measured; null if that is not known. */
+Json
+supportOf(const WallShares& walls)
+{
+  return walls.area > 0 ? Json{{"measured", walls.measured},
+                               {"inferred", walls.inferred},
+                               {"unseen", walls.unseen}}
+                        : Json();
+}
+
+Json
+roomsOf(const Floorplan& plan,
+        const Schedules& schedules,
+        const std::vector<RoomSolidReport>& solids)
+{
+  Json rooms = Json::array();
+  const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
+  for (const RoomRow& row : schedules.rooms) {
+    const PlanRoom& room = *findRoom(plan, row.id);
+    rooms.push_back({{"id", room.id},
+                     {"storey", storeys.at(room.id)},
+                     {"area", row.area},
+                     {"perimeter", row.perimeter},
+                     {"height", row.height},
+                     {"volume", row.volume},
+                     {"walls", room.boundary.elements.size()},
+                     {"columns", room.columns.size()},
+                     {"details", room.details.size()},
+                     {"support", supportOf(wallShares(plan, room))},
+                     {"inferred_area", 0},
+                     {"unseen_outline", 0},
+                     {"solid", solidOf(solids, room.id)},
+                     {"mesh", nullptr}});
+  }
+  return rooms;
+}
+
+Json
+storeyFigures(const Floorplan& plan)
+{
+  Json storeys = Json::array();
+  for (const PlanStorey& storey : storeysOf(plan)) {
+    double area = 0;
+    for (const PlanRoom& room : partOf(plan, storey).rooms)
+      area += room.area();
+    storeys.push_back({{"number", storey.number},
+                       {"name", storey.name},
+                       {"floor", storey.floor},
+                       {"area", area},
+                       {"rooms", storey.rooms}});
+  }
+  return storeys;
+}
+
+/** @brief Returns the sizes of doors, windows and passages. */
+Json
+openingsOf(const Floorplan& plan)
+{
+  Json openings = Json::array();
+  for (const PlanOpening& opening : plan.openings)
+    openings.push_back({{"number", markOf(opening)},
+                        {"kind", nameOf(opening.kind)},
+                        {"rooms", opening.rooms},
+                        {"width", opening.width()},
+                        {"height", opening.height()},
+                        {"bottom", opening.bottom},
+                        {"confidence", opening.confidence},
+                        {"residual", opening.residual}});
+  return openings;
+}
+
+Json
+schedulesOf(const Schedules& schedules)
+{
+  Json tables;
+  for (const ScheduleTable& table : tablesOf(schedules))
+    tables[table.name] = {{"columns", table.columns}, {"rows", table.rows}};
+  return tables;
+}
+
+/** @brief Returns the place of a warning in plan, null if it has none. */
+Json
+placeOf(const PlanWarning& warning, const Floorplan& plan)
+{
+  Eigen::Vector2d at = warning.at;
+  for (const PlanRoom& room : plan.rooms)
+    if (room.id == warning.room && !at.allFinite()) {
+      const std::vector<PlanElement>& walls = room.boundary.elements;
+      at = warning.wall > 0 && warning.wall <= walls.size()
+               ? walls[warning.wall - 1].pointAt(walls[warning.wall - 1].length() / 2)
+               : textSpotIn(room.boundary, room.columns).place;
+    }
+  return at.allFinite() ? Json{at.x(), at.y()} : Json();
+}
+
+} // namespace
+
+Json
+warningsOf(const std::vector<PlanWarning>& list, const Floorplan& plan)
+{
+  Json warnings = Json::array();
+  for (const PlanWarning& warning : list)
+    warnings.push_back({{"kind", nameOf(warning.kind)},
+                        {"room", warning.room},
+                        {"wall", warning.wall},
+                        {"at", placeOf(warning, plan)},
+                        {"values", warning.values},
+                        {"text", sentenceOf(warning)}});
+  return warnings;
+}
+
+void
+setPlan(Json& report,
+        const Floorplan& plan,
+        const Schedules& schedules,
+        const std::vector<RoomSolidReport>& solids)
+{
+  report["storeys"] = storeyFigures(plan);
+  report["support"] = supportOf(wallShares(plan));
+  report["rooms"] = roomsOf(plan, schedules, solids);
+  report["schedules"] = schedulesOf(schedules);
+  report["openings"] = openingsOf(plan);
+  report["unlikely"] = warningsOf(unlikelyPlaces(plan), plan);
+}
+
+namespace {
+
+/** @brief Rounds real numbers to seven digits, the precision of floats, which would
+ * have more digits as doubles. */
+void
+roundNumbers(Json& json)
+{
+  if (json.is_number_float()) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", json.get<double>());
+    json = std::strtod(text, nullptr);
+  }
+  else if (json.is_structured())
+    for (auto& part : json)
+      roundNumbers(part);
+}
+
+} // namespace
+
+std::string
+textOf(Json report, const Origin& origin)
+{
+  roundNumbers(report);
+  const Eigen::Vector3d& place = origin.place;
+  report["origin"] = {place.x(), place.y(), place.z()}; // with full precision
+  // A path may contain any bytes; invalid UTF-8 becomes U+FFFD.
+  return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace pcl::sedr::tools

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
+#include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/schedules.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pcl::sedr::tools {
+
+/** @brief Sets what a report.json tells of a plan: its storeys, rooms, openings and
+ * schedules, how much of its walls was measured, and what is unlikely. */
+void setPlan(nlohmann::ordered_json& report,
+             const Floorplan& plan,
+             const Schedules& schedules,
+             const std::vector<RoomSolidReport>& solids);
+
+/** @brief Returns warnings with their places in plan, as report.json has them. */
+nlohmann::ordered_json warningsOf(const std::vector<PlanWarning>& list,
+                                  const Floorplan& plan);
+
+/** @brief Returns the file of a report. */
+std::string textOf(nlohmann::ordered_json report, const Origin& origin);
+
+} // namespace pcl::sedr::tools
