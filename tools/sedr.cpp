@@ -2,16 +2,58 @@
 #include "joint_scan.h"
 #include "model/model_run.h"
 #include "run_tool.h"
+#include "tagged_scan.h"
+#include "tool_error.h"
 
+#include "sedr_surface/src/chain/scan_voxels.h"
+
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
 
 using namespace pcl::sedr::tools;
+
+namespace {
+
+/** @brief Throws ToolError if the classified scan cannot be written, or would replace
+ * the scan. */
+void
+checkClassified(const std::string& path, const std::vector<std::string>& inputs)
+{
+  checkTaggedOutput(path);
+  std::error_code error;
+  for (const std::string& input : scanFilesOf(inputs))
+    if (std::filesystem::equivalent(path, input, error))
+      throw ToolError("'" + path + "' is the scan itself: give another name");
+}
+
+/** @brief Writes the scan with what its points were found to be. */
+void
+saveClassified(const std::string& path,
+               const JointScan& scan,
+               const Reconstruction& chain)
+{
+  const Progress progress("writing the classified scan");
+  const pcl::sedr::StructureModel& model = chain.getModel();
+  const pcl::sedr::ScanVoxels voxels(model, chain.getVoxelSize());
+  saveTagged(path, scan, [&](const Eigen::Vector3f& p) {
+    const std::size_t i = voxels.of(p);
+    return i < model.labels.size()
+               ? PointTag{model.labels[i], model.rooms[i], model.owners[i]}
+               : PointTag();
+  });
+}
+
+} // namespace
 
 int
 main(int argc, char** argv)
 {
   Reconstruction chain;
   ModelSettings settings;
+  std::string classified;
   Options options(
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
@@ -29,16 +71,24 @@ main(int argc, char** argv)
   options.flag("pictures", settings.pictures,
                "write pictures of the rooms and the fitted plan to "
                "OUTPUT_DIR/pictures");
+  options.text("classified", classified,
+               "write the whole scan to this .las or .pcd, each point with label, room "
+               "and owner, in LAS with the class of ASPRS");
   return runTool(options, argc, argv, [&] {
+    if (!classified.empty())
+      checkClassified(classified, settings.inputs);
     apply(settings, chain);
-    return makeModel(settings, chain, [&] {
+    std::shared_ptr<const JointScan> scan;
+    const int code = makeModel(settings, chain, [&] {
       // Everything but the headers is read during thinning.
-      const auto scan =
-          std::make_shared<JointScan>(settings.inputs, settings.scan.resolved());
+      scan = std::make_shared<JointScan>(settings.inputs, settings.scan.resolved());
       chain.setInputSource(scan);
       chain.setOrigin(scan->origin());
       chain.setScanPositions(scan->positions());
       return scan->size();
     });
+    if (!classified.empty())
+      saveClassified(classified, *scan, chain);
+    return code;
   });
 }

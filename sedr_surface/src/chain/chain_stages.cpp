@@ -127,6 +127,8 @@ findPlanes(ChainRun& run, StageReport& report)
                               stages.room_segmentation.getNumberOfThreads()}};
   findCeilings(scan, run.rooms);
   run.owners = findOwners(scan, run.rooms);
+  std::transform(run.owners.begin(), run.owners.end(), model.owners.begin(),
+                 [](const PointOwner& owner) { return owner.beyond ? 0 : owner.room; });
   findFloors(scan, run.rooms);
   labelSlabs(run.rooms, scan.grid, model);
   for (std::size_t r = 0; r < run.rooms.size(); ++r) {

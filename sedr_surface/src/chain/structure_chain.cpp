@@ -95,6 +95,7 @@ StructureChain::setCloud(const Cloud::ConstPtr& thinned)
   model_.cloud.reset(new Cloud(*thinned));
   model_.labels.assign(thinned->size(), 0);
   model_.rooms.assign(thinned->size(), 0);
+  model_.owners.assign(thinned->size(), 0);
 }
 
 bool

@@ -225,13 +225,19 @@ void
 saveScan(const std::string& path, const ScanFile& scan)
 {
   checkCloudOutput(path);
+  saveScan(path, scan, scan);
+}
+
+void
+saveScan(const std::string& path, const RowSource& rows, const ScanFile& scan)
+{
   const Frame frame{scan.viewpoint(), scan.orientation(), scan.origin(),
                     scan.knowsViewpoint()};
   warnOfPositions(scan);
   writeWhole(path, [&](std::ostream& stream) {
-    CloudStream cloud(stream, scan.fields(), scan.size(), frame, isPly(path));
-    scan.forEachPiece([&](const RowSource::Piece& piece) {
-      cloud.write(piece.rows, piece.size, scan.rowSize());
+    CloudStream cloud(stream, rows.fields(), rows.size(), frame, isPly(path));
+    rows.forEachPiece([&](const RowSource::Piece& piece) {
+      cloud.write(piece.rows, piece.size, rows.rowSize());
       return stream.good(); // a full disk is reported when the file is closed
     });
   });

@@ -35,6 +35,9 @@ public:
                     std::size_t end,
                     const std::function<bool(const Piece&)>& see) const;
 
+  /** @brief Returns the files, whose rows follow each other. */
+  const std::vector<std::unique_ptr<ScanFile>>& files() const { return files_; }
+
   /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return files_.front()->origin(); }
 

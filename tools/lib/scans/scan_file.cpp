@@ -118,9 +118,10 @@ ScanFile::viewpoint() const
 }
 
 void
-ScanFile::forEachPiece(std::size_t begin,
-                       std::size_t end,
-                       const std::function<bool(const Piece&)>& see) const
+ScanFile::forEachStored(
+    std::size_t begin,
+    std::size_t end,
+    const std::function<bool(const Piece&, const Chunk&)>& see) const
 {
   constexpr std::size_t rows_at_once = std::size_t{1} << 14;
   if (begin == 0)
@@ -143,7 +144,7 @@ ScanFile::forEachPiece(std::size_t begin,
                      });
       piece.rows = rows.data();
     }
-    goes_on = see(piece);
+    goes_on = see(piece, chunk);
   }
 }
 

@@ -68,7 +68,19 @@ public:
   /** @brief As above for the rows from `begin` to `end`. */
   void forEachPiece(std::size_t begin,
                     std::size_t end,
-                    const std::function<bool(const Piece&)>& see) const;
+                    const std::function<bool(const Piece&)>& see) const
+  {
+    forEachStored(begin, end,
+                  [&](const Piece& piece, const Chunk&) { return see(piece); });
+  }
+
+  /** @brief As above, also with the points as they are stored. */
+  void forEachStored(std::size_t begin,
+                     std::size_t end,
+                     const std::function<bool(const Piece&, const Chunk&)>& see) const;
+
+  /** @brief Returns the layout of stored points. */
+  const StoredRow& storedRow() const { return content_.points->row(); }
 
   /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return origin_; }

@@ -7,6 +7,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/point_view.h>
 
 namespace pcl::sedr::tools {
 
@@ -61,5 +62,8 @@ void warnOfPositions(const ScanFile& scan);
 /** @brief Writes a scan while reading it, piece by piece: binary PCD, or PLY if `path`
  * ends in .ply. */
 void saveScan(const std::string& path, const ScanFile& scan);
+
+/** @brief As above for other rows in the frame of a scan. */
+void saveScan(const std::string& path, const RowSource& rows, const ScanFile& scan);
 
 } // namespace pcl::sedr::tools

@@ -92,6 +92,7 @@ struct StructureModel {
   Cloud::Ptr cloud{new Cloud};       ///< thinned points, without reflections
   std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none
+  std::vector<std::uint32_t> owners; ///< room whose air each point bounds, 0 none
   std::shared_ptr<Floorplan> plan = std::make_shared<Floorplan>();
   StructureCloud::Ptr structure{new StructureCloud}; ///< refined and repaired
   std::vector<StageReport> reports;
