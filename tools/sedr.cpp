@@ -14,6 +14,8 @@
 #include <vector>
 
 using namespace pcl::sedr::tools;
+using pcl::sedr::ScanVoxels;
+using pcl::sedr::StructureModel;
 
 namespace {
 
@@ -36,14 +38,29 @@ saveClassified(const std::string& path,
                const Reconstruction& chain)
 {
   const Progress progress("writing the classified scan");
-  const pcl::sedr::StructureModel& model = chain.getModel();
-  const pcl::sedr::ScanVoxels voxels(model, chain.getVoxelSize());
+  const StructureModel& model = chain.getModel();
+  const ScanVoxels voxels(model, chain.getVoxelSize());
   saveTagged(path, scan, [&](const Eigen::Vector3f& p) {
     const std::size_t i = voxels.of(p);
     return i < model.labels.size()
                ? PointTag{model.labels[i], model.rooms[i], model.owners[i]}
                : PointTag();
   });
+}
+
+/** @brief Returns the colours of the surfaces, none if the scan has none. */
+SurfaceColours
+coloursOf(const JointScan& scan, const Reconstruction& chain)
+{
+  const StructureModel& model = chain.getModel();
+  if (!hasColours(scan))
+    return {};
+  std::vector<SurfaceColours::Surface> surfaces;
+  for (std::size_t i = 0; i < model.labels.size(); ++i)
+    surfaces.emplace_back(model.rooms[i], model.labels[i]);
+  const ScanVoxels voxels(model, chain.getVoxelSize());
+  const auto voxel_of = [&](const Eigen::Vector3f& p) { return voxels.of(p); };
+  return {*model.cloud, surfaces, medianColours(scan, voxel_of, model.cloud->size())};
 }
 
 } // namespace
@@ -54,6 +71,7 @@ main(int argc, char** argv)
   Reconstruction chain;
   ModelSettings settings;
   std::string classified;
+  std::string colours = "scan";
   Options options(
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
@@ -74,19 +92,26 @@ main(int argc, char** argv)
   options.text("classified", classified,
                "write the whole scan to this .las or .pcd, each point with label, room "
                "and owner, in LAS with the class of ASPRS");
+  options.text("colours", colours,
+               "of mesh.ply, model.glb and structure.pcd: those of the scan if it has "
+               "any, or those of the labels",
+               {"scan", "label"});
   return runTool(options, argc, argv, [&] {
     if (!classified.empty())
       checkClassified(classified, settings.inputs);
     apply(settings, chain);
     std::shared_ptr<const JointScan> scan;
-    const int code = makeModel(settings, chain, [&] {
+    const auto open = [&] {
       // Everything but the headers is read during thinning.
       scan = std::make_shared<JointScan>(settings.inputs, settings.scan.resolved());
       chain.setInputSource(scan);
       chain.setOrigin(scan->origin());
       chain.setScanPositions(scan->positions());
       return scan->size();
-    });
+    };
+    const auto seen = [&] { return coloursOf(*scan, chain); };
+    const int code = colours == "scan" ? makeModel(settings, chain, open, seen)
+                                       : makeModel(settings, chain, open);
     if (!classified.empty())
       saveClassified(classified, *scan, chain);
     return code;

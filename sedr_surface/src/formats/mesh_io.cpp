@@ -58,12 +58,11 @@ constexpr double farthest_float = 256;
 std::string
 plyHeader(const TriangleMesh& mesh,
           const std::vector<std::string>& comments,
-          bool needs_doubles)
+          bool needs_doubles,
+          bool has_colours)
 {
-  const char* const colour =
-      mesh.labels.empty()
-          ? ""
-          : "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  constexpr const char* colour =
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   std::ostringstream text;
   text << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
   for (const std::string& comment : comments)
@@ -71,13 +70,15 @@ plyHeader(const TriangleMesh& mesh,
   text << "element vertex " << mesh.vertices.size() << '\n';
   for (const char* axis : {"x", "y", "z"})
     text << "property " << (needs_doubles ? "double " : "float ") << axis << '\n';
-  text << colour << (mesh.labels.empty() ? "" : "property uint label\n")
+  text << (has_colours || !mesh.labels.empty() ? colour : "")
+       << (has_colours ? "property uchar seen\n" : "")
+       << (mesh.labels.empty() ? "" : "property uint label\n")
        << (mesh.rooms.empty() ? "" : "property uint room\n") << "element face "
        << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\n"
        << (mesh.labels.empty() ? "" : "property int label\n")
        << (mesh.rooms.empty() ? "" : "property int room\n")
-       << (mesh.elements.empty() ? "" : "property int element\n") << colour
-       << "end_header\n";
+       << (mesh.elements.empty() ? "" : "property int element\n")
+       << (has_colours || mesh.labels.empty() ? "" : colour) << "end_header\n";
   return text.str();
 }
 
@@ -181,15 +182,18 @@ loadMesh(const std::string& path, TriangleMesh& mesh)
 }
 
 std::string
-meshToPly(const TriangleMesh& mesh, const std::vector<std::string>& comments)
+meshToPly(const TriangleMesh& mesh,
+          const std::vector<std::string>& comments,
+          const std::vector<SeenColour>& colours)
 {
+  const bool has_colours = !colours.empty();
   const bool needs_doubles =
       std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& v) {
         return v.cwiseAbs().maxCoeff() >= farthest_float;
       });
   const auto labels = vertexValues(mesh, mesh.labels);
   const auto rooms = vertexValues(mesh, mesh.rooms);
-  std::string bytes = plyHeader(mesh, comments, needs_doubles);
+  std::string bytes = plyHeader(mesh, comments, needs_doubles, has_colours);
   bytes.reserve(bytes.size() + (needs_doubles ? 35 : 23) * mesh.vertices.size() +
                 28 * mesh.triangles.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -198,10 +202,14 @@ meshToPly(const TriangleMesh& mesh, const std::vector<std::string>& comments)
         add(bytes, mesh.vertices[v][k]);
       else
         add(bytes, static_cast<float>(mesh.vertices[v][k]));
-    if (!mesh.labels.empty()) {
-      addColour(bytes, labels[v]);
-      add(bytes, labels[v]);
+    if (has_colours) {
+      add(bytes, colours[v].rgb);
+      add(bytes, std::uint8_t(colours[v].is_seen ? 1 : 0));
     }
+    else if (!mesh.labels.empty())
+      addColour(bytes, labels[v]);
+    if (!mesh.labels.empty())
+      add(bytes, labels[v]);
     if (!mesh.rooms.empty())
       add(bytes, rooms[v]);
   }
@@ -212,7 +220,7 @@ meshToPly(const TriangleMesh& mesh, const std::vector<std::string>& comments)
     for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
       if (!attribute->empty())
         add(bytes, (*attribute)[t]);
-    if (!mesh.labels.empty())
+    if (!has_colours && !mesh.labels.empty())
       addColour(bytes, mesh.labels[t]);
   }
   return bytes;

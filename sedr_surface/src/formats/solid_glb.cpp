@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 
@@ -34,9 +35,12 @@ turned(const Eigen::Vector3d& p)
 /** @brief Builds the file's JSON and its binary part. */
 class GlbBuilder {
 public:
-  GlbBuilder(const TriangleMesh& mesh, const std::vector<SolidElement>& elements)
+  GlbBuilder(const TriangleMesh& mesh,
+             const std::vector<SolidElement>& elements,
+             const std::vector<SeenColour>& colours)
       : mesh_(mesh)
       , elements_(elements)
+      , colours_(colours)
   {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       if (mesh.elements[t] > 0)
@@ -71,26 +75,48 @@ public:
   }
 
 private:
-  /** @brief Adds the index of a label's material to a primitive; the material is
-   * written with its first use. */
-  void addMaterial(Json& primitive, StructureLabel label)
+  /** @brief Returns a channel as glTF has it, linear, of one that screens show. */
+  static double linear(std::uint8_t channel)
   {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  }
+
+  /** @brief Appends a material that is called as the label.
+   * @return its index */
+  std::size_t writeMaterial(StructureLabel label, double red, double green, double blue)
+  {
+    json_["materials"].push_back({{"name", toString(label)},
+                                  {"pbrMetallicRoughness",
+                                   {{"baseColorFactor", {red, green, blue, 1.0}},
+                                    {"metallicFactor", 0.0},
+                                    {"roughnessFactor", 0.9}}},
+                                  {"doubleSided", true}});
+    return json_["materials"].size() - 1;
+  }
+
+  /** @brief Adds the index of the material of an element to a primitive: its own if it
+   * has a colour, else that of its label, which is written with its first use. */
+  void addMaterial(Json& primitive, std::uint32_t element)
+  {
+    const StructureLabel label = elements_[element - 1].label;
+    if (!colours_.empty()) {
+      const auto& [rgb, is_seen] = colours_[element - 1];
+      primitive["material"] =
+          writeMaterial(label, linear(rgb[0]), linear(rgb[1]), linear(rgb[2]));
+      json_["materials"].back()["extras"]["seen"] = is_seen;
+      return;
+    }
     const auto* c =
         std::find_if(std::begin(label_colours), std::end(label_colours),
                      [&](const LabelColour& colour) { return colour.label == label; });
     if (c == std::end(label_colours))
       return;
-    const auto [entry, is_new] =
-        material_of_.emplace(static_cast<std::uint32_t>(label), material_of_.size());
-    primitive["material"] = entry->second;
-    if (is_new)
-      json_["materials"].push_back(
-          {{"name", toString(label)},
-           {"pbrMetallicRoughness",
-            {{"baseColorFactor", {c->red, c->green, c->blue, 1.0}},
-             {"metallicFactor", 0.0},
-             {"roughnessFactor", 0.9}}},
-           {"doubleSided", true}});
+    const auto known = material_of_.find(static_cast<std::uint32_t>(label));
+    primitive["material"] = known != material_of_.end()
+                                ? known->second
+                                : material_of_[static_cast<std::uint32_t>(label)] =
+                                      writeMaterial(label, c->red, c->green, c->blue);
   }
 
   std::size_t addNode(Json node)
@@ -143,7 +169,7 @@ private:
     bytes_ += corners;
     const std::size_t indices = addAccessor(after, 3 * triangles.size(), triangle_list);
     Json primitive{{"attributes", {{"POSITION", place}}}, {"indices", indices}};
-    addMaterial(primitive, e.label);
+    addMaterial(primitive, element);
     json_["meshes"].push_back(
         {{"name", e.name}, {"primitives", Json::array({primitive})}});
     return addNode({{"name", e.name}, {"mesh", json_["meshes"].size() - 1}});
@@ -195,6 +221,7 @@ private:
 
   const TriangleMesh& mesh_;
   const std::vector<SolidElement>& elements_;
+  const std::vector<SeenColour>& colours_;
   std::map<std::uint32_t, std::vector<std::size_t>> triangles_of_;  ///< by element
   std::map<std::uint32_t, std::vector<std::uint32_t>> elements_of_; ///< by room
   std::map<std::uint32_t, std::size_t> material_of_;                ///< by label
@@ -208,9 +235,10 @@ std::string
 solidToGlb(const TriangleMesh& mesh,
            const std::vector<SolidElement>& elements,
            const std::vector<PlanStorey>& storeys,
-           const Origin& origin)
+           const Origin& origin,
+           const std::vector<SeenColour>& colours)
 {
-  return GlbBuilder(mesh, elements).build(storeys, origin);
+  return GlbBuilder(mesh, elements, colours).build(storeys, origin);
 }
 
 } // namespace pcl::sedr

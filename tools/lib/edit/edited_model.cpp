@@ -2,6 +2,7 @@
 #include "edited_model.h"
 
 #include "bytes/whole_file.h"
+#include "colours/scan_colours.h"
 #include "edited_report.h"
 #include "model/plan_files.h"
 #include "model/plan_report.h"
@@ -9,6 +10,7 @@
 #include "report/report_page.h"
 #include "results/result_folder.h"
 #include "run_tool.h"
+#include "tool_cloud.h"
 #include "tool_error.h"
 #include "written_files.h"
 
@@ -72,6 +74,7 @@ public:
     if (files.document.levelling && !parameters.value("levelled", false))
       for (Eigen::Vector3d& v : files.solid.vertices)
         v = files.document.levelling->back(v);
+    files.colours = colours().ofElements(files.solid, files.elements);
     writeSolids(folder_, files);
     ifc = writeBuildingModel(folder_, files);
     writeDrawings(folder_, files);
@@ -123,6 +126,26 @@ public:
   std::string report_text; ///< as it was read
 
 private:
+  /** @brief Returns the colours that the points of the structure have. */
+  SurfaceColours colours() const
+  {
+    if (!before_.has("structure.pcd"))
+      return {};
+    const ToolCloud cloud = loadCloud(before_.file("structure.pcd"));
+    const std::vector<std::uint32_t> seen = wholeField(cloud.blob, "seen");
+    const auto* const rgb = findField(cloud.blob, "rgb");
+    std::vector<SurfaceColours::Surface> surfaces;
+    std::vector<SeenColour> colours;
+    for (std::size_t i = 0; rgb && i < seen.size(); ++i) {
+      const std::uint8_t* const blue =
+          &cloud.blob.data[i * cloud.blob.point_step + rgb->offset];
+      surfaces.emplace_back(cloud.room[i], cloud.label[i]);
+      colours.push_back({{blue[2], blue[1], blue[0]}, seen[i] != 0});
+    }
+    return colours.empty() ? SurfaceColours()
+                           : SurfaceColours(*cloud.points, surfaces, colours);
+  }
+
   /** @brief Returns whether a file that is not written any more was of the plan before:
    * a drawing of one of other storeys. */
   static bool isOfPlan(const std::string& name)

@@ -187,21 +187,33 @@ scanSum(const StructureModel& model)
 
 /** @brief Writes the points and the mesh. */
 void
-writePoints(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
+writePoints(const OutputFolder& folder,
+            const Reconstruction& chain,
+            const SurfaceColours& colours,
+            bool with_mesh)
 {
   const StructureModel& model = chain.getModel();
   const Origin& origin = chain.getOrigin();
-  saveStructure(folder.file("structure.pcd"), *model.structureInScanFrame(), origin);
-  if (with_mesh)
-    writeWhole(
-        folder.file("mesh.ply"),
-        model.isMoved() // otherwise no copy is needed
-            ? meshToPly(chain.meshInScanFrame(), originComments(origin))
-            : meshToPly(chain.getStages().poisson.getMesh(), originComments(origin)));
+  std::vector<std::uint32_t> of_points;
+  for (const auto& [rgb, is_seen] : colours.ofPoints(*model.structure))
+    of_points.push_back((is_seen ? 1U : 0U) << 24 | rgb[0] << 16 | rgb[1] << 8 |
+                        rgb[2]);
+  saveStructure(folder.file("structure.pcd"), *model.structureInScanFrame(), origin,
+                of_points);
+  if (!with_mesh)
+    return;
+  const TriangleMesh& mesh = chain.getStages().poisson.getMesh();
+  const std::vector<SeenColour> of_mesh = colours.ofVertices(mesh);
+  writeWhole(folder.file("mesh.ply"),
+             model.isMoved() // otherwise no copy is needed
+                 ? meshToPly(chain.meshInScanFrame(), originComments(origin), of_mesh)
+                 : meshToPly(mesh, originComments(origin), of_mesh));
 }
 
 PlanFiles
-planFiles(const ModelSettings& settings, const Reconstruction& chain)
+planFiles(const ModelSettings& settings,
+          const Reconstruction& chain,
+          const SurfaceColours& colours)
 {
   const StructureModel& model = chain.getModel();
   const auto& extrusion = chain.getStages().extrusion;
@@ -261,6 +273,7 @@ writeDrawings(const OutputFolder& folder,
            scanSum(model)},
           model.inScanFrame(extrusion.getMesh()),
           extrusion.getElements(),
+          colours.ofElements(extrusion.getMesh(), extrusion.getElements()),
           settings.project,
           settings.threads};
 >>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
@@ -309,7 +322,8 @@ writeReportPage(const ModelSettings& settings, const OutputFolder& folder)
 int
 makeModel(const ModelSettings& settings,
           Reconstruction& chain,
-          const std::function<std::size_t()>& open)
+          const std::function<std::size_t()>& open,
+          const std::function<SurfaceColours()>& colours)
 {
   if (settings.no_mesh && settings.report)
     throw ToolError("--report shows the mesh, which --no-mesh leaves out");
@@ -332,11 +346,19 @@ makeModel(const ModelSettings& settings,
     record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
       record.figures = evaluate(chain, settings.threads, report);
     }));
+  SurfaceColours seen;
+  const StageReport colouring = timed("colours", [&](StageReport& report) {
+    seen = colours ? colours() : SurfaceColours();
+    report.points_in = record.points;
+    report.points_out = chain.getModel().cloud->size();
+  });
+  if (!seen.empty())
+    record.stages.push_back(colouring);
   record.stages.push_back(timed("writing", [&](StageReport& report) {
-    const PlanFiles of_plan = planFiles(settings, chain);
+    const PlanFiles of_plan = planFiles(settings, chain, seen);
     IfcModel ifc;
     const std::function<void()> files[] = {
-        [&] { writePoints(folder, chain, !settings.no_mesh); },
+        [&] { writePoints(folder, chain, seen, !settings.no_mesh); },
         [&] { writeSolids(folder, of_plan); },
         [&] { ifc = writeBuildingModel(folder, of_plan); },
         [&] { writeDrawings(folder, of_plan); }, [&] { writePictures(folder, chain); }};

@@ -23,7 +23,7 @@ writeSolids(const OutputFolder& folder, const PlanFiles& files)
   writeWhole(folder.file("floorplan.json"), documentToJson(document));
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
     saveSolid(folder.file(name), files.solid, files.elements, document.plan,
-              document.origin);
+              document.origin, files.colours);
 }
 
 IfcModel

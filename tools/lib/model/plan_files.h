@@ -5,6 +5,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
+#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <string>
@@ -18,8 +19,9 @@ struct PlanFiles {
   PlanDocument document;
   TriangleMesh solid; ///< in the frame to write it in
   std::vector<SolidElement> elements;
-  std::string project;  ///< name, may be empty
-  unsigned threads = 0; ///< 0: all processors
+  std::vector<SeenColour> colours; ///< of the elements; empty: those of their labels
+  std::string project;             ///< name, may be empty
+  unsigned threads = 0;            ///< 0: all processors
 };
 
 /** @brief Returns their names, without those of several storeys. */

@@ -34,7 +34,8 @@ saveSolid(const std::string& path,
           const TriangleMesh& mesh,
           const std::vector<SolidElement>& elements,
           const Floorplan& plan,
-          const Origin& origin)
+          const Origin& origin,
+          const std::vector<SeenColour>& colours)
 {
   const std::vector<std::string> of_origin = originComments(origin);
   if (hasExtension(path, ".ply")) {
@@ -44,7 +45,7 @@ saveSolid(const std::string& path,
     return;
   }
   if (hasExtension(path, ".glb")) {
-    writeWhole(path, solidToGlb(mesh, elements, storeysOf(plan), origin));
+    writeWhole(path, solidToGlb(mesh, elements, storeysOf(plan), origin, colours));
     return;
   }
   const auto materials = materialsOf(path);

@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <optional>
@@ -20,12 +21,14 @@ void checkSolidOutput(const std::string& path);
 
 /** @brief Writes solids as PLY, as OBJ with materials beside it (solid.mtl for
  * solid.obj), or as GLB; each completely or not at all. Throws ToolError on failure.
- * @param plan of these solids, for the storeys */
+ * @param plan of these solids, for the storeys
+ * @param colours of the elements of a GLB; empty: those of the labels */
 void saveSolid(const std::string& path,
                const TriangleMesh& mesh,
                const std::vector<SolidElement>& elements,
                const Floorplan& plan,
-               const Origin& origin = {});
+               const Origin& origin = {},
+               const std::vector<SeenColour>& colours = {});
 
 /** @brief Returns header lines with the origin of a mesh; empty if it is 0. */
 std::vector<std::string> originComments(const Origin& origin);

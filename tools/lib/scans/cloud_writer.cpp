@@ -246,19 +246,45 @@ saveScan(const std::string& path, const RowSource& rows, const ScanFile& scan)
 void
 saveStructure(const std::string& path,
               const pcl::PointCloud<pcl::PointStructure>& structure,
-              const Origin& origin)
+              const Origin& origin,
+              const std::vector<std::uint32_t>& colours)
 {
   Frame frame;
   frame.origin = origin;
   pcl::PCLPointCloud2 layout;
   pcl::toPCLPointCloud2(pcl::PointCloud<pcl::PointStructure>(), layout);
+  std::size_t row = sizeof(pcl::PointStructure);
+  const auto addField = [&](const char* name, std::uint8_t datatype) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.datatype = datatype;
+    field.count = 1;
+    field.offset = static_cast<pcl::uindex_t>(row);
+    layout.fields.push_back(field);
+    row += fieldSize(datatype);
+  };
+  if (!colours.empty()) {
+    addField("rgb", pcl::PCLPointField::FLOAT32);
+    addField("seen", pcl::PCLPointField::UINT8);
+  }
   writeWhole(path, [&](std::ostream& stream) {
     CloudStream cloud(stream, layout.fields, structure.size(), frame, false);
     constexpr std::size_t piece = 1 << 16; // as a second copy is made of it
-    for (std::size_t done = 0; done < structure.size(); done += piece)
-      cloud.write(reinterpret_cast<const std::uint8_t*>(&structure[done]),
-                  std::min(piece, structure.size() - done),
-                  sizeof(pcl::PointStructure));
+    std::vector<std::uint8_t> rows;
+    for (std::size_t done = 0; done < structure.size(); done += piece) {
+      const std::size_t size = std::min(piece, structure.size() - done);
+      rows.resize(size * row);
+      for (std::size_t i = 0; i < size; ++i) {
+        std::memcpy(&rows[i * row], &structure[done + i], sizeof(pcl::PointStructure));
+        if (colours.empty())
+          continue;
+        const std::uint32_t seen = colours[done + i] >> 24;
+        const std::uint32_t rgb = colours[done + i] | 0xff000000;
+        std::memcpy(&rows[i * row + sizeof(pcl::PointStructure)], &rgb, sizeof rgb);
+        rows[(i + 1) * row - 1] = static_cast<std::uint8_t>(seen);
+      }
+      cloud.write(rows.data(), size, row);
+    }
   });
 }
 

@@ -48,10 +48,13 @@ void saveCloud(const std::string& path, const ToolCloud& cloud);
 void saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob);
 
 /** @brief Writes a structure as a binary PCD, completely or not at all, piece by piece
- * to avoid a second copy. Throws ToolError on failure. */
+ * to avoid a second copy. Throws ToolError on failure.
+ * @param colours of the points, blue the lowest byte and the highest 1 where it was
+ * seen: fields `rgb` and `seen`; empty: none */
 void saveStructure(const std::string& path,
                    const pcl::PointCloud<pcl::PointStructure>& structure,
-                   const Origin& origin = {});
+                   const Origin& origin = {},
+                   const std::vector<std::uint32_t>& colours = {});
 
 class ScanFile;
 

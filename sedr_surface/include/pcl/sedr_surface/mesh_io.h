@@ -5,12 +5,19 @@
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief A colour of a surface, channels from 0 to 255. */
+struct SeenColour {
+  std::array<std::uint8_t, 3> rgb{}; ///< red, green, blue
+  bool is_seen = false;              ///< else it was filled in from beside
+};
 
 /** @brief Reads a triangle mesh from a PLY (ascii or binary, any byte order) or OBJ
  * file.
@@ -29,12 +36,15 @@ std::string loadMesh(const std::string& path, TriangleMesh& mesh);
  * x, y and z are floats, or doubles if a coordinate is 256 m or more. Faces have int
  * `label`, `room` and `element` if the mesh has them, and the label's colour. Vertices
  * then have uint `label`, `room` and colour: those with the largest area around them.
+ * With given colours, faces have none, and vertices have uchar `seen`, 0 or 1.
  *
  * @param mesh valid: its problem() is empty
  * @param comments lines for the header
+ * @param colours of the vertices; empty: those of the labels
  * @return the bytes of the file */
 std::string meshToPly(const TriangleMesh& mesh,
-                      const std::vector<std::string>& comments = {});
+                      const std::vector<std::string>& comments = {},
+                      const std::vector<SeenColour>& colours = {});
 
 /** @brief Writes solids as OBJ: one object per room, materials by label, and groups
  * named by element, room and, where known, storey. Metres, z up, seven decimals.
@@ -66,10 +76,13 @@ std::vector<std::string> elementComments(const TriangleMesh& mesh,
  * @param mesh with rooms, labels and elements, as FloorplanExtrusion::getMesh()
  * @param elements the mesh's elements, as FloorplanExtrusion::getElements()
  * @param storeys from storeysOf(); rooms that none of them lists are left out
- * @param origin written to asset.extras unless it is 0 */
+ * @param origin written to asset.extras unless it is 0
+ * @param colours of the elements, whose materials have `seen` in their extras; empty:
+ * those of the labels */
 std::string solidToGlb(const TriangleMesh& mesh,
                        const std::vector<SolidElement>& elements,
                        const std::vector<PlanStorey>& storeys,
-                       const Origin& origin = {});
+                       const Origin& origin = {},
+                       const std::vector<SeenColour>& colours = {});
 
 } // namespace pcl::sedr

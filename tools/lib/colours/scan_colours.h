@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "joint_scan.h"
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+#include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace pcl::sedr::tools {
+
+/** @brief Returns whether any file of a scan has colours. */
+bool hasColours(const JointScan& scan);
+
+/** @brief Reads a scan and returns the median colours of groups of its points, per
+ * channel; those of groups without colours are not seen. At most 15 points of a group
+ * are kept, spread over all of them.
+ * @param group_of of a place in the frame of the rows; thread-safe
+ * @param groups their number; higher ones are left out */
+std::vector<SeenColour>
+medianColours(const JointScan& scan,
+              const std::function<std::size_t(const Eigen::Vector3f&)>& group_of,
+              std::size_t groups);
+
+/** @brief The colours of surfaces: of floors, walls, ..., by places on them. */
+class SurfaceColours {
+public:
+  SurfaceColours() = default;
+
+  /** @brief A surface: its room and its label. */
+  using Surface = std::pair<std::uint32_t, std::uint32_t>;
+
+  /** @param surfaces of the points; only those of the structure are used
+   * @param colours of the points; only those that were seen are used */
+  SurfaceColours(const pcl::PointCloud<pcl::PointXYZ>& points,
+                 const std::vector<Surface>& surfaces,
+                 const std::vector<SeenColour>& colours);
+
+  /** @brief Returns whether nothing has a colour. */
+  bool empty() const { return of_surface_.empty(); }
+
+  /** @brief Returns the colour of the nearest point of the surface. It is seen if the
+   * point is as near as those of one voxel; else it is filled in. Thread-safe. */
+  SeenColour at(const Eigen::Vector3f& place, const Surface& surface) const;
+
+  /** @brief Returns the colours of the vertices of a mesh with labels, empty if nothing
+   * has a colour. */
+  std::vector<SeenColour> ofVertices(const TriangleMesh& mesh) const;
+
+  /** @brief Returns the colours of points, empty if nothing has a colour. */
+  std::vector<SeenColour>
+  ofPoints(const pcl::PointCloud<pcl::PointStructure>& points) const;
+
+  /** @brief Returns the median colours of the elements of a solid, empty if nothing has
+   * a colour. They are seen if half of the element is. */
+  std::vector<SeenColour> ofElements(const TriangleMesh& mesh,
+                                     const std::vector<SolidElement>& elements) const;
+
+private:
+  struct Painted {
+    pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+    std::vector<SeenColour> colours;
+  };
+
+  std::map<Surface, Painted> of_surface_;
+};
+
+} // namespace pcl::sedr::tools
