@@ -42,17 +42,8 @@ constexpr const char* plan_picture = "pictures/floorplan_fitting.png";
 std::vector<std::string>
 outputNames(const ModelSettings& settings)
 {
-<<<<<<< HEAD
-  std::vector<std::string> names{"structure.pcd", "solid.ply",  "solid.obj",
-                                 "solid.mtl",     "model.ifc",  "floorplan.json",
-                                 "model.glb",     "rooms.csv",  "openings.csv",
-                                 "walls.csv",     "report.json"};
-  for (const DrawingSheet& sheet : allDrawings({}))
-    names.push_back(sheet.path);
-=======
   std::vector<std::string> names = planFileNames();
   names.insert(names.end(), {"structure.pcd", "report.json"});
->>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
   if (!settings.no_mesh)
     names.push_back("mesh.ply");
   if (settings.report)
@@ -217,58 +208,6 @@ planFiles(const ModelSettings& settings,
 {
   const StructureModel& model = chain.getModel();
   const auto& extrusion = chain.getStages().extrusion;
-<<<<<<< HEAD
-  const TriangleMesh solid = model.inScanFrame(extrusion.getMesh());
-  for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
-    saveSolid(folder.file(name), solid, extrusion.getElements(), *model.plan, origin);
-}
-
-DrawingSettings
-drawingSettings(const ModelSettings& settings, const Reconstruction& chain)
-{
-  DrawingSettings drawing;
-  drawing.project = settings.project;
-  drawing.max_wall = chain.getPriors().max_wall;
-  drawing.origin = chain.getOrigin();
-  return drawing;
-}
-
-/** @brief Writes model.ifc and the schedules of it, which the record keeps with its
- * warnings. */
-void
-writeBuildingModel(const OutputFolder& folder,
-                   const ModelSettings& settings,
-                   const Reconstruction& chain,
-                   RunRecord& record)
-{
-  IfcSettings ifc;
-  if (!settings.project.empty())
-    ifc.name = settings.project;
-  ifc.scan = scanSum(chain.getModel());
-  ifc.max_wall = chain.getPriors().max_wall;
-  const IfcModel model = writeIfc(*chain.getFloorplan(), ifc, chain.getOrigin());
-  writeWhole(folder.file("model.ifc"), model.text);
-  record.warnings.insert(record.warnings.end(), model.warnings.begin(),
-                         model.warnings.end());
-  for (const ScheduleTable& table : tablesOf(model.schedules))
-    writeWhole(folder.file(table.name + ".csv"), csvOf(table));
-  record.schedules = model.schedules;
-}
-
-/** @brief Writes the drawings. */
-void
-writeDrawings(const OutputFolder& folder,
-              const ModelSettings& settings,
-              const Reconstruction& chain)
-{
-  const Floorplan& plan = *chain.getFloorplan();
-  std::vector<DrawingSheet> sheets = allDrawings(plan);
-  for (DrawingSheet& sheet : sheets)
-    sheet.path = folder.file(sheet.path);
-  parallelBlocks(sheets.size(), 1, settings.threads, [&](std::size_t k, std::size_t) {
-    saveDrawing(sheets[k], plan, drawingSettings(settings, chain));
-  });
-=======
   return {{*model.plan, chain.getOrigin(), model.levelling, chain.getPriors().max_wall,
            scanSum(model)},
           model.inScanFrame(extrusion.getMesh()),
@@ -276,7 +215,6 @@ writeDrawings(const OutputFolder& folder,
           colours.ofElements(extrusion.getMesh(), extrusion.getElements()),
           settings.project,
           settings.threads};
->>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
 }
 
 void

@@ -11,9 +11,12 @@ namespace pcl::sedr::tools {
 std::vector<std::string>
 planFileNames()
 {
-  return {"solid.ply",      "solid.obj",     "solid.mtl",     "model.ifc",
-          "floorplan.json", "floorplan.svg", "floorplan.pdf", "floorplan.dxf",
-          "model.glb",      "rooms.csv",     "openings.csv",  "walls.csv"};
+  std::vector<std::string> names{"solid.ply",    "solid.obj", "solid.mtl",
+                                 "model.ifc",    "model.glb", "rooms.csv",
+                                 "openings.csv", "walls.csv", "floorplan.json"};
+  for (const DrawingSheet& sheet : allDrawings({}))
+    names.push_back(sheet.path);
+  return names;
 }
 
 void
@@ -50,10 +53,9 @@ writeDrawings(const OutputFolder& folder, const PlanFiles& files)
   settings.project = files.project;
   settings.max_wall = document.max_wall;
   settings.origin = document.origin;
-  std::vector<DrawingSheet> sheets;
-  for (const char* name : {"floorplan.svg", "floorplan.pdf", "floorplan.dxf"})
-    for (const DrawingSheet& sheet : drawingSheets(name, document.plan))
-      sheets.push_back({folder.file(sheet.path), sheet.storey});
+  std::vector<DrawingSheet> sheets = allDrawings(document.plan);
+  for (DrawingSheet& sheet : sheets)
+    sheet.path = folder.file(sheet.path);
   parallelBlocks(sheets.size(), 1, files.threads, [&](std::size_t k, std::size_t) {
     saveDrawing(sheets[k], document.plan, settings);
   });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_report.h"
 
-#include "sedr_surface/src/drawing/text_spot.h"
+#include "sedr_surface/src/sheet/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/coverage.h>

@@ -7,10 +7,6 @@
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
-<<<<<<< HEAD
-#include "sedr_surface/src/sheet/text_spot.h"
-=======
->>>>>>> a9bd6e69 (Editing a model: all files of the folder follow, openings by number, jogs, unions, heights, undo; what was not touched keeps its report)
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/coverage.h>
