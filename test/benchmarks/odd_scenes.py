@@ -4,7 +4,7 @@
 
 For every seed from FIRST to LAST one room is made, or two, with one thing that is easily taken for another: cupboards up to the
 ceiling, stages, pits, steps of a few centimetres, sloping floors, walls that tilt slightly, glass partitions, acute corners, low
-beams, pilasters, closets, ... The solid of pcl_sedr is compared with the truth. A scene is right if it has the rooms that were
+beams, pilasters, closets, half walls, ... The solid of pcl_sedr is compared with the truth. A scene is right if it has the rooms that were
 made, and at least 98 % of each is within 5 cm of the other; else it is told if there is a warning of what was not explained, not
 seen or guessed, or if nothing was written; else it is wrong without a word. Needs numpy, scipy and shapely.
 Exit code 0: all were graded, however well; 1: not all were.
@@ -18,7 +18,7 @@ from buildings import runs
 MOST_OFF = 0.02     # share of a surface more than 5 cm from the other
 RAYS = 900_000      # of all stations
 DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
-          "standing", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up")
+          "standing", "half_wall", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up")
 
 
 def rectangle(x0, y0, x1, y1):
@@ -151,8 +151,16 @@ def low_ceiling_slope(s):
     s.room["openings"] = []
 
 
+def half_wall(s):
+    """A wall as high as a parapet or a man, from a wall into the room."""
+    length, at = s.between(1.2, 0.6 * s.y), s.between(0.4, 0.6) * s.x
+    s.room["furniture"].append({"block": {"name": "half wall", "at": [round(at, 3), round(s.y - length / 2 - 0.01, 3)], "yaw": 0,
+                                          "size": [s.between(0.08, 0.2), length, s.between(0.9, 2)]}})
+    s.stations.append([s.x * 0.25, s.y * 0.75, 1.5])
+
+
 ODDITIES = (cupboards, cupboard, stage, pit, sloping_floor, tilted_wall, glass_partition, thin_partition, acute_corner, low_beam, pilaster, relief, closet,
-            high_glazing, soffit, low_ceiling_slope)
+            high_glazing, soffit, low_ceiling_slope, half_wall)
 
 
 def build(seed):

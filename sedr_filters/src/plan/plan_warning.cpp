@@ -23,7 +23,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 41> words{{
+constexpr std::array<Words, 42> words{{
     {"coverage", "", "",
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -83,6 +83,9 @@ constexpr std::array<Words, 41> words{{
     {"standing", "rooms hold more than walls and columns up to the ceiling", "m2",
      "{0.1} m2 of what was seen within it reach up to the ceiling and are no wall or "
      "column of the plan"},
+    {"half_wall", "rooms hold half walls, which are not in the plan", "m",
+     "what stands{at} like a half wall, {0.1} m long and {1.1} m high, is not in the "
+     "plan"},
     {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room",
      "it is tilted by {0.2} degrees out of the room"},
     {"not_adjusted", "", "",

@@ -3,8 +3,11 @@
 
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_segmentation/src/curves/place_sums.h"
+#include "sedr_segmentation/src/curves/plan_curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl::sedr {
@@ -176,6 +179,7 @@ SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
   const double below = standing.ceiling - p.z();
   if (below > wall_tile && below < 64 * wall_tile)
     standing.heights |= std::uint64_t{1} << static_cast<unsigned>(below / wall_tile);
+  standing.places += p.head<2>().homogeneous();
 }
 
 void
@@ -199,6 +203,72 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   const PlanRoom& plan = rooms_[room].room();
   if (area > min_patch && area >= told_behind * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
+}
+
+void
+SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const
+{
+  constexpr double lowest = 0.85;          // metres: sills, parapets; tables are lower
+  constexpr double open_above = 0.3;       // metres
+  constexpr double shortest = 1;           // metre: longer than furniture is deep,
+  constexpr double thickest = 0.25;        // and as thin as walls
+  constexpr double filled = 0.7;           // of its height
+  constexpr double free_sides = 0.6;       // of its length
+  std::map<CellKey, Eigen::Vector3d> tops; // and their places
+  std::vector<CellKey> around;             // a wall's two faces are one
+  for (const auto& [key, standing] : standing_[room]) {
+    if (standing.heights == 0)
+      continue;
+    const Eigen::Vector2d at = standing.places.hnormalized();
+    const double below = wall_tile * __builtin_ctzll(standing.heights);
+    const double height = standing.ceiling - below - rooms_[room].floorAt(at);
+    if (below < open_above || height < lowest ||
+        __builtin_popcountll(standing.heights) < filled * height / wall_tile - 1)
+      continue;
+    tops.emplace(key, Eigen::Vector3d(at.x(), at.y(), height));
+    for (const int x : {-1, 0, 1})
+      for (const int y : {-1, 0, 1})
+        around.push_back(keyOf({cellOf(key).x + x, cellOf(key).y + y}));
+  }
+  const CellSet cells(std::move(around));
+  const CellRegions regions = labelRegions(cells);
+  std::vector<std::vector<Eigen::Vector3d>> things(regions.sizes.size());
+  for (const auto& [key, top] : tops)
+    things[regions.label[cells.find(cellOf(key))]].push_back(top);
+  const auto isFloor = [&](const Eigen::Vector2d& p) {
+    return isOnSlab(room, keyOf(grid_.at(p.x(), p.y())), true);
+  };
+  for (const std::vector<Eigen::Vector3d>& thing : things) {
+    PlaceSums sums;
+    double height = 0;
+    for (const Eigen::Vector3d& tile : thing) {
+      sums.add((tile - thing.front()).head<2>());
+      height += tile.z() / static_cast<double>(thing.size());
+    }
+    const Eigen::Vector2d normal = sums.normal();
+    const Eigen::Vector2d way = leftOf(normal);
+    Eigen::AlignedBox2d box; // along it, across it
+    for (const Eigen::Vector3d& tile : thing)
+      box.extend(Eigen::Vector2d(way.dot(tile.head<2>()), normal.dot(tile.head<2>())));
+    if (box.sizes().x() < shortest || box.sizes().y() > thickest)
+      continue;
+    std::array<double, 2> free{};
+    for (double s = box.min().x(); s <= box.max().x(); s += wall_tile)
+      for (const std::size_t side : {0, 1})
+        for (double d = 2 * wall_tile; d < 6 * wall_tile; d += wall_tile / 2)
+          if (isFloor(s * way +
+                      (side == 0 ? box.min().y() - d : box.max().y() + d) * normal)) {
+            free[side] += wall_tile;
+            break;
+          }
+    if (std::min(free[0], free[1]) >= free_sides * box.sizes().x())
+      warnings.push_back({WarningKind::HalfWall,
+                          {box.sizes().x() + wall_tile, height},
+                          rooms_[room].room().id,
+                          0,
+                          {},
+                          box.center().x() * way + box.center().y() * normal});
+  }
 }
 
 void
@@ -247,6 +317,7 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
     }
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellStanding(r, warnings);
+    tellHalfWalls(r, warnings);
     tellDoubled(r, warnings);
   }
 }

@@ -50,6 +50,10 @@ private:
   void tellDoubled(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
+  /** @brief Warns of what stands on the floor like a wall but ends below the ceiling:
+   * long, thin, and with floor on both sides. */
+  void tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
   Priors priors_;
   CellGrid grid_;
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
@@ -64,6 +68,7 @@ private:
   struct Standing {
     double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
     std::uint64_t heights = 0; ///< in steps of a cell below it, a bit each
+    Eigen::Vector3d places = Eigen::Vector3d::Zero(); ///< sums of x, y and 1
   };
   std::vector<std::map<CellKey, Standing>> standing_; ///< of each room
 };

@@ -37,6 +37,7 @@ enum class WarningKind {
   FloorUnseen,   ///< m2
   WallOff,       ///< m2 off the model, mean cm, positive into the room
   Standing,      ///< m2 of what reaches up to the ceiling and is not in the plan
+  HalfWall,      ///< m long, m high; not in the plan
   Tilted,        ///< degrees, positive into the room
   NotAdjusted,   ///< reason
   Crossing,      ///< the other room; the room itself if both meet
