@@ -34,11 +34,11 @@ overlapProblem(const Floorplan& before, const Floorplan& after)
       if (room.id == other.id || !old || isSame(old->boundary, room.boundary) ||
           !shareHeights(room, other))
         continue;
-      const double area = commonArea(room.boundary, other.boundary);
+      const double area = commonArea(room, other);
       double known = 0;
       for (const PlanRoom& r : before.rooms)
         if (r.id == room.id || isGone(r))
-          known += commonArea(r.boundary, other.boundary);
+          known += commonArea(r, other);
       if (area > known + negligible)
         return nameOf(room) + " would then overlap " + nameOf(other) + " by " +
                formatText("%.2f m2", area);

@@ -270,16 +270,20 @@ meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop)
 }
 
 double
-commonArea(const PlanLoop& a, const PlanLoop& b)
+commonArea(const PlanRoom& a, const PlanRoom& b)
 {
-  const Eigen::AlignedBox2d box = boundsOf(a);
-  if (!box.intersects(boundsOf(b)))
+  const Eigen::AlignedBox2d box = boundsOf(a.boundary);
+  if (!box.intersects(boundsOf(b.boundary)))
     return 0;
-  GridArea common;
-  common.insert(polygonOf(a, box.min()));
-  GridArea other;
-  other.insert(polygonOf(b, box.min()));
-  common &= other;
+  const auto areaOf = [&](const PlanRoom& room) {
+    GridArea area;
+    area.insert(polygonOf(room.boundary, box.min()));
+    for (const PlanLoop& column : room.columns)
+      area.insert(polygonOf(column, box.min()), true);
+    return area;
+  };
+  GridArea common = areaOf(a);
+  common &= areaOf(b);
   return static_cast<double>(bp::area(common)) * unit * unit;
 }
 

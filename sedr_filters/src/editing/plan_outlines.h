@@ -31,9 +31,9 @@ void simplify(PlanLoop& loop);
  * @return why that is not possible, or an empty text */
 std::string meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop);
 
-/** @brief Returns how large the area is that two outlines have in common, square
- * metres. */
-double commonArea(const PlanLoop& a, const PlanLoop& b);
+/** @brief Returns how large the area is that two rooms have in common, square metres;
+ * columns are no part of it. */
+double commonArea(const PlanRoom& a, const PlanRoom& b);
 
 /** @brief Returns the outlines of some areas as one, counter-clockwise, and its holes,
  * clockwise. They consist of the elements of the areas, with all that these tell.

@@ -24,7 +24,34 @@ isSame(const PlanLoop& a, const PlanLoop& b)
                     });
 }
 
+std::optional<std::size_t>
+elementLike(const PlanRoom& room, const PlanElement& wall)
+{
+  const std::vector<PlanElement>& walls = room.boundary.elements;
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    if (isSame({{walls[k]}}, {{wall}}))
+      return k;
+  return {};
+}
+
 namespace {
+
+/** @brief Returns the walls that an opening was in before an edit. */
+std::vector<PlanElement>
+wallsBefore(const Floorplan& before, const PlanOpening& opening)
+{
+  const auto was = std::find_if(
+      before.openings.begin(), before.openings.end(), [&](const PlanOpening& o) {
+        return o.number != 0 && o.number == opening.number && o.kind == opening.kind;
+      });
+  std::vector<PlanElement> walls;
+  for (const OpeningWall& wall :
+       was == before.openings.end() ? opening.walls : was->walls)
+    if (const PlanRoom* const room = findRoom(before, wall.room);
+        room && wall.element < room->boundary.elements.size())
+      walls.push_back(room->boundary.elements[wall.element]);
+  return walls;
+}
 
 constexpr double negligible = 0.01; // metres
 
@@ -127,25 +154,26 @@ attachOpenings(const Floorplan& before, Floorplan& plan)
     const std::string what = placeText(
         opening.kind == OpeningKind::Unknown ? "opening" : nameOf(opening.kind),
         middle);
+    const std::vector<PlanElement> before_walls = wallsBefore(before, opening);
     std::vector<OpeningWall> walls;
     for (const OpeningWall& wall : opening.walls) {
       const PlanRoom* const room = findRoom(plan, wall.room);
       if (!room)
         continue;
-      const PlanRoom* const old = findRoom(before, wall.room);
-      if (old && isSame(old->boundary, room->boundary)) {
-        walls.push_back(wall);
-        continue;
+      std::optional<std::size_t> element;
+      double known = 0; // how far it reached beyond a wall
+      for (const PlanElement& old : before_walls) {
+        element = element ? element : elementLike(*room, old);
+        known = std::max(known, beyondWall(opening, old));
       }
-      const std::optional<std::size_t> element = wallBeside(*room, opening);
+      const bool is_same = element.has_value();
+      if (!is_same)
+        element = wallBeside(*room, opening);
       if (!element)
         continue;
       walls.push_back({wall.room, *element});
       const double beyond = beyondWall(opening, room->boundary.elements[*element]);
-      if (beyond >
-          negligible + (old && wall.element < old->boundary.elements.size()
-                            ? beyondWall(opening, old->boundary.elements[wall.element])
-                            : 0))
+      if (!is_same && beyond > negligible + known)
         told.push_back(what +
                        formatText(", %.2f m wide, reaches %.2f m beyond wall ",
                                   opening.width(), beyond) +

@@ -3,8 +3,10 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,9 @@ namespace pcl::sedr {
 
 /** @brief Returns whether two outlines have the same corners and arcs. */
 bool isSame(const PlanLoop& a, const PlanLoop& b);
+
+/** @brief Returns which element of a room's boundary is exactly this one, if any is. */
+std::optional<std::size_t> elementLike(const PlanRoom& room, const PlanElement& wall);
 
 /** @brief Calls `see(room, place)` with the number of every room that openings and
  * stairs name, and where they are. */
@@ -23,9 +28,8 @@ void forEachReference(
  * then on both sides of itself, or of no room, goes. */
 void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
 
-/** @brief Finds the elements that openings are in again, in rooms whose outline is
- * another than before: those nearest to their faces. Openings that no wall of their
- * rooms is beside go.
+/** @brief Finds the elements that openings are in again: the same ones, or those
+ * nearest to their faces. Openings that no wall of their rooms is beside go.
  * @return sentences about openings that go, and those that reach farther beyond the
  * ends of their walls than before */
 std::vector<std::string> attachOpenings(const Floorplan& before, Floorplan& plan);

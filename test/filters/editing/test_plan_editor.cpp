@@ -100,6 +100,19 @@ TEST(PlanEditor, WhereTheWallsAroundACornerMeetNothingIsLeftStanding)
             "4 walls in place of 6, numbered anew");
 }
 
+TEST(PlanEditor, RoomsOnAnIslandInAnotherAreMerged)
+{
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 9, 9), 2.5, 1),
+                roomOf(rectangle(3, 3, 4, 6), 2.5, 2),
+                roomOf(rectangle(4.1, 3, 6, 6), 2.5, 3)};
+  plan.rooms[0].columns = {reversed(rectangle(2.9, 2.9, 6.1, 6.1))};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(2, 3)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[1].area(), 9, 1e-9);
+}
+
 TEST(PlanEditor, ARoomWithinAnotherIsMergedWithTheWallsAroundIt)
 {
   Floorplan plan;
@@ -362,6 +375,18 @@ TEST(PlanEditor, AnAddedOpeningGoesThroughTheWallToTheRoomBehindIt)
   EXPECT_FALSE(editor.addOpening(1, 1, 0.2, size)) << "beyond its end";
   EXPECT_FALSE(editor.addOpening(1, 5, 1, size)) << "no such wall";
   EXPECT_FALSE(editor.addOpening(1, 1, 1, {OpeningKind::Door, 0.9})) << "no height";
+}
+
+TEST(PlanEditor, AnOpeningStaysInAWallThatStaysAlsoIfAnotherIsNearer)
+{
+  Floorplan plan = twoRooms();
+  plan.openings[0].walls[1].element = 0;
+  numberOpenings(plan);
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.moveWall(2, 3, 0.1)) << editor.getErrorMessage(); // y = 3
+  EXPECT_EQ(editor.getFloorplan().openings[0].walls[1].element, 0u);
+  ASSERT_TRUE(editor.moveWall(2, 1, 0.1)) << editor.getErrorMessage(); // y = 0
+  EXPECT_EQ(editor.getFloorplan().openings[0].walls[1].element, 3u) << "the nearest";
 }
 
 TEST(PlanEditor, ADroppedRoomIsOutside)

@@ -49,11 +49,9 @@ public:
     const PlanRoom* const room = findRoom(before_, old.room);
     if (!room || old.wall < 1 || old.wall > room->boundary.elements.size())
       return {};
-    const PlanLoop wall{{room->boundary.elements[old.wall - 1]}};
     for (const PlanRoom& now : plan_.rooms)
-      for (std::size_t k = 0; k < now.boundary.elements.size(); ++k)
-        if (isSame({{now.boundary.elements[k]}}, wall))
-          return WallNumber{now.id, k + 1};
+      if (const auto k = elementLike(now, room->boundary.elements[old.wall - 1]))
+        return WallNumber{now.id, *k + 1};
     return {};
   }
 
