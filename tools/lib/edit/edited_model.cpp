@@ -147,10 +147,11 @@ private:
   }
 
   /** @brief Returns whether a file that is not written any more was of the plan before:
-   * a drawing of one of other storeys. */
+   * a drawing, of a storey or stair that is gone. */
   static bool isOfPlan(const std::string& name)
   {
-    return name.rfind("floorplan", 0) == 0;
+    return hasExtension(name, ".svg") || hasExtension(name, ".pdf") ||
+           hasExtension(name, ".dxf");
   }
 
   std::string path_;
