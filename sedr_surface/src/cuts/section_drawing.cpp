@@ -3,6 +3,7 @@
 #include "../sheet/text_spot.h"
 #include "../walls/wall_band.h"
 #include "cut_drawing.h"
+#include "lines_beyond.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
@@ -128,7 +129,14 @@ sectionOf(const Floorplan& plan,
     std::vector<SolidElement> elements;
     extrudeRoom(room, {}, solid, elements);
     rooms.push_back({&room, cutOf(solid, line)});
+    if (rooms.back().loops.empty())
+      continue;
+    for (const PlanLine& beyond :
+         linesBeyond(plan, room, solid, line, rooms.back().loops))
+      drawing.lines.push_back(beyond);
   }
+  for (const PlanLine& step : stairsOn(plan, line))
+    drawing.lines.push_back(step);
   std::vector<PlanArea> bodies;
   std::vector<PlanArea> open;
   addWalls(plan, walls, line, bodies);

@@ -26,6 +26,7 @@ enum class PlanLayer {
   Headroom, ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
   Floor,    ///< steps, platforms and slopes
   Stair,    ///< flights: treads, the way up
+  Beyond,   ///< edges behind a section
   Room,     ///< numbers, areas and heights of rooms
   Height,   ///< heights of ceilings
   Dimension,
@@ -58,7 +59,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 19> layer_styles{
+inline const std::array<LayerStyle, 20> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
@@ -77,6 +78,7 @@ inline const std::array<LayerStyle, 19> layer_styles{
      {"A-CLNG-HEAD", 30, true, {no_colour, 0xb3562b, 0.2, {0.8, 0.8}}, 0xb3562b},
      {"A-FLOR-LEVL", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
      {"A-FLOR-STRS", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
+     {"A-SECT-BYND", 8, false, {no_colour, 0x777777, 0.18}, 0x777777},
      {"A-AREA-IDEN", 7, false, {}, ink},
      {"A-CLNG-IDEN", 5, false, {}, looks::blue},
      {"A-ANNO-DIMS", 8, false, {}, 0x444444},

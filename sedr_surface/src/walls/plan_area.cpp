@@ -48,13 +48,16 @@ polygonOf(const PlanLoop& loop, const PlanGrid& grid)
   return polygon;
 }
 
+/** @brief Returns what is in any of some areas. */
 bp::polygon_set_data<int>
-setOf(const PlanArea& area, const PlanGrid& grid)
+setOf(const std::vector<PlanArea>& areas, const PlanGrid& grid)
 {
   bp::polygon_set_data<int> set;
-  set.insert(polygonOf(area.boundary, grid));
-  for (const PlanLoop& hole : area.holes)
-    set.insert(polygonOf(hole, grid), true);
+  for (const PlanArea& area : areas) {
+    set.insert(polygonOf(area.boundary, grid));
+    for (const PlanLoop& hole : area.holes)
+      set.insert(polygonOf(hole, grid), true);
+  }
   return set;
 }
 
@@ -76,8 +79,8 @@ double
 commonArea(const PlanArea& a, const PlanArea& b)
 {
   const PlanGrid grid = gridAround({a}, {b});
-  bp::polygon_set_data<int> set = setOf(a, grid);
-  set &= setOf(b, grid);
+  bp::polygon_set_data<int> set = setOf({a}, grid);
+  set &= setOf({b}, grid);
   return bp::area(set) * grid.unit() * grid.unit();
 }
 
@@ -85,11 +88,8 @@ std::vector<PlanArea>
 partsOutside(const std::vector<PlanArea>& areas, const std::vector<PlanArea>& others)
 {
   const PlanGrid grid = gridAround(areas, others);
-  bp::polygon_set_data<int> set;
-  for (const PlanArea& area : areas)
-    set |= setOf(area, grid);
-  for (const PlanArea& other : others)
-    set -= setOf(other, grid);
+  bp::polygon_set_data<int> set = setOf(areas, grid);
+  set -= setOf(others, grid);
   GridPolygons found;
   set.get(found);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {

@@ -88,6 +88,58 @@ TEST(Sections, AnOpeningIsAGapInItsWall)
             1u);
 }
 
+TEST(Sections, ShowWhatIsSeenBehindThem)
+{
+  // Seen towards -x from x = 2: a corner at y = 2; the wall beside it is nearer for
+  // larger y, and hides the niche behind.
+  Floorplan plan{
+      {roomOf(polygon({{0, 0}, {5, 0}, {5, 4}, {1, 4}, {1, 2}, {0, 2}}), 2.5)}};
+  plan.openings = {{OpeningKind::Window,
+                    {0, 1},
+                    {{1, 5}},
+                    {-0.1, 1.5},
+                    {-0.1, 0.5},
+                    0.9,
+                    2,
+                    0,
+                    0.2}};
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 1u);
+  EXPECT_TRUE(holds(dxf, "A-SECT-BYND\n100\nAcDbLine\n10\n2.0000000\n"));
+  EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 4u) << "the window beyond";
+  const std::string back = drawSection(plan, {{2, 1}, {2, 0}}, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(back, "LINE", "A-SECT-BYND") + countOf(back, "LINE", "A-GLAZ"), 0u);
+  const std::string nearer =
+      drawSection(plan, {{0.5, 0}, {0.5, 1}}, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(nearer, "LINE", "A-SECT-BYND"), 0u) << "it is before the plane";
+}
+
+TEST(Sections, AFaceHidesWhatIsBehindIt)
+{
+  // A beam at 2.2 m hides the window's head at 2.3 m behind it.
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  plan.rooms[0].details = {detailOf(rectangle(0.5, 0, 1, 4), 2.2)};
+  plan.openings = {
+      {OpeningKind::Window, {0, 1}, {{1, 3}}, {-0.1, 2}, {-0.1, 1}, 0.9, 2.3, 0, 0.2}};
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 3u);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 1u) << "the near edge of the beam";
+}
+
+TEST(Sections, StairsHaveTheirSteps)
+{
+  Floorplan plan = twoStoreys();
+  PlanFlight flight;
+  flight.rise = 0.7;
+  for (const double x : {0.5, 0.8, 1.1, 1.4})
+    flight.risers.push_back({Eigen::Vector2d(x, 2), Eigen::Vector2d(x, 1)});
+  plan.stairs = {{{1, 3}, {0.5, 1.5}, 0, 2.8, {flight}}};
+  const auto line = sectionThroughStairs(plan);
+  ASSERT_TRUE(line);
+  const std::string dxf = drawSection(plan, *line, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-FLOR-STRS"), 3u + 4u) << "treads and risers";
+}
+
 TEST(Elevations, HaveTheAreaOfTheWalls)
 {
   Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
