@@ -55,10 +55,10 @@ shifted(PlanLoop loop, double up)
   return loop;
 }
 
-/** @brief Adds what hangs down into a cut room, such as a beam, up to the ceiling on
- * both sides of it. */
+/** @brief Adds what hangs down into a cut room, such as a beam, and the slab above it,
+ * as high as on both sides. */
 void
-addBeams(const PlanLoop& loop, std::vector<PlanArea>& bodies)
+addBeams(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
 {
   const std::vector<PlanElement>& all = loop.elements;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -67,9 +67,20 @@ addBeams(const PlanLoop& loop, std::vector<PlanArea>& bodies)
     const double top = std::min(down.start.y(), up.end.y());
     if (isUpright(down) && isUpright(up) && all[k].end.x() < all[k].start.x() &&
         top > all[k].start.y())
-      bodies.push_back(
-          {rectangleOf(all[k].end.x(), all[k].start.x(), all[k].start.y(), top)});
+      bodies.push_back({rectangleOf(all[k].end.x(), all[k].start.x(), all[k].start.y(),
+                                    top + thickness)});
   }
+}
+
+/** @brief Adds what a cut room stands on, platforms filled. */
+void
+addFloor(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
+{
+  const double base = boundsOf(loop).min().y() - thickness;
+  for (const PlanElement& e : loop.elements)
+    if (e.end.x() > e.start.x() && !isUpright(e))
+      bodies.push_back(
+          {loopOf({{e.start.x(), base}, {e.end.x(), base}, e.end, e.start})});
 }
 
 /** @brief Adds the walls that a section cuts, from slab to slab. */
@@ -85,11 +96,14 @@ addWalls(const Floorplan& plan,
     for (const auto& [from, to] : rangesIn(bandOf(plan, wall).boundary, line)) {
       const Eigen::Vector2d middle =
           line.from + (from + to) / 2 * (line.to - line.from).normalized();
-      constexpr double beside = 0.02; // metres
+      constexpr double beside = 0.02;  // metres
+      constexpr double overlap = 1e-4; // with slabs
       const auto [at, inward] = faceAt(face, face.project(middle));
       const Eigen::Vector2d inside = at + beside * inward;
-      bodies.push_back({rectangleOf(from, to, room.floorAt(inside) - assumed_slab,
-                                    room.ceilingAt(inside) + assumed_slab)});
+      bodies.push_back({rectangleOf(
+          from - overlap, to + overlap,
+          std::min(room.floorAt(inside), heightsOf(room).low) - assumed_slab,
+          room.ceilingAt(inside) + assumed_slab)});
     }
   }
 }
@@ -144,9 +158,10 @@ sectionOf(const Floorplan& plan,
   const double zero = plan.rooms.empty() ? 0 : usualFloor(plan, storeysOf(plan)[0]);
   for (const CutRoom& cut : rooms)
     for (const PlanLoop& loop : cut.loops) {
-      for (const double sign : {1.0, -1.0})
-        bodies.push_back({shifted(loop, sign * slabAbove(loop, rooms, sign))});
-      addBeams(loop, bodies);
+      const double above = slabAbove(loop, rooms, 1);
+      bodies.push_back({shifted(loop, above)});
+      addBeams(loop, above, bodies);
+      addFloor(loop, slabAbove(loop, rooms, -1), bodies);
       if (loop.area() > 0)
         open.push_back({loop});
       drawing.outlines.push_back(loop);

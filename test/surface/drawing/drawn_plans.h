@@ -41,9 +41,10 @@ countOf(const std::string& dxf, const std::string& type, const std::string& laye
   return count;
 }
 
-/** The sum of the areas of the outlines in a DXF. */
+/** The sum of the areas of polylines, or of hatches, whose holes count as negative, on
+ * a layer of a DXF. */
 inline double
-outlinedArea(const std::string& dxf)
+areaOf(const std::string& type, const std::string& layer, const std::string& dxf)
 {
   double area = 0;
   std::vector<Eigen::Vector2d> corners;
@@ -60,15 +61,24 @@ outlinedArea(const std::string& dxf)
        std::getline(lines, code) && std::getline(lines, value);)
     if (code == "0") {
       close();
-      is_outline = value == "LWPOLYLINE";
+      is_outline = value == type;
     }
+    else if (code == "92") // the next loop of a hatch
+      close();
     else if (code == "8")
-      is_outline = is_outline && value == "A-AREA";
+      is_outline = is_outline && value == layer;
     else if (is_outline && code == "10")
       corners.emplace_back(std::stod(value), 0);
     else if (is_outline && code == "20")
       corners.back().y() = std::stod(value);
   return area;
+}
+
+/** The sum of the areas of the outlines in a DXF. */
+inline double
+outlinedArea(const std::string& dxf)
+{
+  return areaOf("LWPOLYLINE", "A-AREA", dxf);
 }
 
 /** Settings with the given scale. */

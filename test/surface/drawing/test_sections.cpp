@@ -126,6 +126,19 @@ TEST(Sections, AFaceHidesWhatIsBehindIt)
   EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 1u) << "the near edge of the beam";
 }
 
+TEST(Sections, BodiesAreWholeAroundRooms)
+{
+  // Walls and slabs of 0.2 m around a room with a platform and a beam: one hatch, whose
+  // area is that of the frame with both.
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  plan.rooms[0].floor_details = {detailOf(rectangle(0, 3, 5, 4), 0.3)};
+  plan.rooms[0].details = {detailOf(rectangle(0, 1, 5, 1.4), 2.2)};
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
+  EXPECT_EQ(countOf(dxf, "HATCH", "A-WALL-PATT"), 1u);
+  EXPECT_NEAR(areaOf("HATCH", "A-WALL-PATT", dxf),
+              4.4 * 2.9 - 4 * 2.5 + 0.3 * 1 + 0.3 * 0.4, 2e-3);
+}
+
 TEST(Sections, StairsHaveTheirSteps)
 {
   Floorplan plan = twoStoreys();
