@@ -83,29 +83,36 @@ addFloor(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
           {loopOf({{e.start.x(), base}, {e.end.x(), base}, e.end, e.start})});
 }
 
-/** @brief Adds the walls that a section cuts, from slab to slab. */
+/** @brief Adds the walls and columns that a section cuts, from slab to slab. */
 void
 addWalls(const Floorplan& plan,
          const std::vector<PlanWall>& walls,
          const SectionLine& line,
          std::vector<PlanArea>& bodies)
 {
+  constexpr double overlap = 1e-4; // with slabs, metres
+  const Eigen::Vector2d way = (line.to - line.from).normalized();
+  // What stands in or beside a room, whose heights hold at a place.
+  const auto add = [&](const PlanRoom& room, double from, double to,
+                       const Eigen::Vector2d& at) {
+    const double floor = std::min(room.floorAt(at), heightsOf(room).low);
+    bodies.push_back({rectangleOf(from - overlap, to + overlap, floor - assumed_slab,
+                                  room.ceilingAt(at) + assumed_slab)});
+  };
   for (const PlanWall& wall : walls) {
     const PlanElement& face = elementOf(plan, wall.face);
-    const PlanRoom& room = plan.rooms[wall.face.room];
     for (const auto& [from, to] : rangesIn(bandOf(plan, wall).boundary, line)) {
-      const Eigen::Vector2d middle =
-          line.from + (from + to) / 2 * (line.to - line.from).normalized();
-      constexpr double beside = 0.02;  // metres
-      constexpr double overlap = 1e-4; // with slabs
-      const auto [at, inward] = faceAt(face, face.project(middle));
-      const Eigen::Vector2d inside = at + beside * inward;
-      bodies.push_back({rectangleOf(
-          from - overlap, to + overlap,
-          std::min(room.floorAt(inside), heightsOf(room).low) - assumed_slab,
-          room.ceilingAt(inside) + assumed_slab)});
+      constexpr double beside = 0.02; // metres
+      const auto [at, inward] =
+          faceAt(face, face.project(line.from + (from + to) / 2 * way));
+      add(plan.rooms[wall.face.room], from, to, at + beside * inward);
     }
   }
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanLoop& column : room.columns)
+      if (!isIsland(room, column))
+        for (const auto& [from, to] : rangesIn(column, line))
+          add(room, from, to, line.from + (from + to) / 2 * way);
 }
 
 /** @brief Adds the openings that a section runs through, as gaps upright between the

@@ -128,15 +128,16 @@ TEST(Sections, AFaceHidesWhatIsBehindIt)
 
 TEST(Sections, BodiesAreWholeAroundRooms)
 {
-  // Walls and slabs of 0.2 m around a room with a platform and a beam: one hatch, whose
-  // area is that of the frame with both.
+  // Walls and slabs of 0.2 m around a room with a platform, a beam and a column: one
+  // hatch, whose area is that of the frame with all of them.
   Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
   plan.rooms[0].floor_details = {detailOf(rectangle(0, 3, 5, 4), 0.3)};
   plan.rooms[0].details = {detailOf(rectangle(0, 1, 5, 1.4), 2.2)};
+  plan.rooms[0].columns = {reversed(rectangle(1.8, 2, 2.2, 2.4))};
   const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
   EXPECT_EQ(countOf(dxf, "HATCH", "A-WALL-PATT"), 1u);
   EXPECT_NEAR(areaOf("HATCH", "A-WALL-PATT", dxf),
-              4.4 * 2.9 - 4 * 2.5 + 0.3 * 1 + 0.3 * 0.4, 2e-3);
+              4.4 * 2.9 - 4 * 2.5 + 0.3 * 1 + 0.3 * 0.4 + 2.5 * 0.4, 2e-3);
 }
 
 TEST(Sections, StairsHaveTheirSteps)
