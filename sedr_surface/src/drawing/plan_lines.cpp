@@ -85,21 +85,6 @@ public:
     });
   }
 
-  /** @brief Adds the lines of headroom; the longest of each carries its height. */
-  void addHeadroom(const CeilingFaces& ceiling)
-  {
-    for (const double height : headrooms) {
-      const std::vector<PlanElement> found = heightLines(ceiling, height);
-      const auto longest = std::max_element(
-          found.begin(), found.end(), [](const PlanElement& a, const PlanElement& b) {
-            return a.length() < b.length();
-          });
-      for (auto line = found.begin(); line != found.end(); ++line)
-        addOverhead(*line, PlanLayer::Headroom,
-                    line == longest ? "h " + decimalText(height, 2) : "");
-    }
-  }
-
   /** @brief Adds the heads of tilted walls. */
   void addHeads()
   {
@@ -254,7 +239,9 @@ planLines(const Floorplan& plan,
     for (const CeilingLine& line : surfaces[r].floor.lines)
       lines.add(line.element, PlanLayer::Floor);
     lines.addSlopes(RoomSurface::Floor, surfaces[r].floor);
-    lines.addHeadroom(surfaces[r].faces);
+    for (const double height : headrooms)
+      for (const CeilingLine& line : heightLines(surfaces[r].faces, height))
+        lines.addOverhead(line.element, PlanLayer::Headroom, line.text);
   }
   if (is_floor)
     addStairs(plan, all);

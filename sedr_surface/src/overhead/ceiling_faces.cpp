@@ -51,13 +51,15 @@ addZeros(const TriangleMesh& mesh,
   }
 }
 
-/** @brief Returns segments as lines, without those that tell nobody anything. */
-std::vector<std::vector<PlanElement>>
-joined(const Segments& segments)
+/** @brief Appends segments as lines, without those that tell nobody anything; the
+ * longest element of each has the text. */
+void
+addLines(const Segments& segments,
+         const std::string& text,
+         std::vector<CeilingLine>& lines)
 {
   constexpr double tolerance = 0.005;
   constexpr double shortest = 0.5; // metres
-  std::vector<std::vector<PlanElement>> lines;
   for (const std::vector<Eigen::Vector2d>& line : chained(segments)) {
     Eigen::AlignedBox2d extent;
     for (const Eigen::Vector2d& place : line)
@@ -65,11 +67,14 @@ joined(const Segments& segments)
     if (extent.diagonal().norm() < shortest)
       continue;
     const std::vector<Eigen::Vector2d> places = simplifiedLine(line, tolerance);
-    lines.emplace_back();
-    for (std::size_t k = 0; k + 1 < places.size(); ++k)
-      lines.back().push_back(segment(places[k], places[k + 1]));
+    std::size_t longest = lines.size();
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      lines.push_back({segment(places[k], places[k + 1])});
+      if (lines.back().element.length() > lines[longest].element.length())
+        longest = lines.size() - 1;
+    }
+    lines[longest].text = text;
   }
-  return lines;
 }
 
 /** @brief Returns the least usual distance of contours of which a range has at most
@@ -120,13 +125,7 @@ CeilingFaces::area() const
   return all;
 }
 
-std::vector<CeilingFaces>
-ceilingFacesOf(const Floorplan& plan)
-{
-  return {plan.rooms.begin(), plan.rooms.end()};
-}
-
-std::vector<PlanElement>
+std::vector<CeilingLine>
 heightLines(const CeilingFaces& ceiling, double height)
 {
   const PlanRoom& room = ceiling.room;
@@ -155,9 +154,8 @@ heightLines(const CeilingFaces& ceiling, double height)
           });
     }
   }
-  std::vector<PlanElement> lines;
-  for (const std::vector<PlanElement>& line : joined(segments))
-    lines.insert(lines.end(), line.begin(), line.end());
+  std::vector<CeilingLine> lines;
+  addLines(segments, "h " + decimalText(height, 2), lines);
   return lines;
 }
 
@@ -186,14 +184,7 @@ contourLines(const CeilingFaces& ceiling)
     addZeros(
         ceiling.solid, curved,
         [&](const Eigen::Vector3d& p) { return heightOf(p) - k * step; }, segments);
-    for (const std::vector<PlanElement>& line : joined(segments)) {
-      const auto longest =
-          std::max_element(line.begin(), line.end(), [](const auto& a, const auto& b) {
-            return a.length() < b.length();
-          });
-      for (auto e = line.begin(); e != line.end(); ++e)
-        lines.push_back({*e, false, e == longest ? decimalText(k * step, 2) : ""});
-    }
+    addLines(segments, decimalText(k * step, 2), lines);
   }
   return lines;
 }

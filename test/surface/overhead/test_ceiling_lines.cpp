@@ -205,8 +205,8 @@ TEST(HeightLines, RunAroundARoof)
   // Slopes of 45 degrees: half a metre from the walls.
   const PlanRoom hipped = hippedRoom(1);
   double length = 0;
-  for (const PlanElement& line : heightLines(CeilingFaces(hipped), 1.5))
-    length += line.length();
+  for (const CeilingLine& line : heightLines(CeilingFaces(hipped), 1.5))
+    length += line.element.length();
   EXPECT_NEAR(length, 20, 1e-6);
   EXPECT_TRUE(heightLines(CeilingFaces(hipped), 3.5).empty());
   const PlanRoom level = roomOf(rectangle(0, 0, 8, 4), 2.5);
@@ -222,7 +222,7 @@ TEST(HeightLines, EndAtSoffitsAndPlatforms)
   room.details = {detailOf(rectangle(0, 0, 4, 1), 1.5)};
   room.floor_details = {detailOf(rectangle(0, 3, 4, 4), 0.2)};
   double length = 0;
-  for (const PlanElement& line : heightLines(CeilingFaces(room), 2)) {
+  for (const auto& [line, is_crease, text] : heightLines(CeilingFaces(room), 2)) {
     EXPECT_NEAR(line.start.x(), line.end.x(), 1e-6);
     const bool is_above_platform = line.pointAt(line.length() / 2).y() > 3;
     EXPECT_NEAR(line.start.x(), is_above_platform ? 2.4 : 2, 1e-6);
@@ -242,8 +242,8 @@ TEST(HeightLines, FollowAVault)
   room.ceiling.curve = std::make_shared<SlabCurve>(vault);
   const auto lines = heightLines(CeilingFaces(room), 2);
   ASSERT_EQ(lines.size(), 2u);
-  for (const PlanElement& line : lines)
-    EXPECT_NEAR(std::abs(line.pointAt(3).y() - 2), std::sqrt(3), 0.002);
+  for (const CeilingLine& line : lines)
+    EXPECT_NEAR(std::abs(line.element.pointAt(3).y() - 2), std::sqrt(3), 0.002);
 }
 
 TEST(FloorLines, AreWhereTheFloorHasAStepOrARamp)
