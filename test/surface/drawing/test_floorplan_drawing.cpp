@@ -317,8 +317,9 @@ TEST(FloorplanDrawing, FacetsOfTheFloorThatDifferByLessThan3CmAreNoLines)
 TEST(FloorplanDrawing, LevelsAreAboveTheUsualFloorOfTheLowestStorey)
 {
   Floorplan plan = planOf(rectangle(0, 0, 8, 6));
+  plan.rooms[0].floor = slabAt(0.2);
   plan.rooms.push_back(roomOf(rectangle(8.1, 0, 9, 1), 2.5, 2));
-  plan.rooms.back().floor = slabAt(-0.5); // a pit
+  plan.rooms.back().floor = slabAt(-0.3); // a pit
   const std::string svg = floorplanToSvg(plan, scaled(20));
   EXPECT_TRUE(holds(svg, ">▼ ±0.00<"));
   EXPECT_TRUE(holds(svg, ">▼ -0.50<"));
