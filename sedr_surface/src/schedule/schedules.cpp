@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../overhead/ceiling_faces.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -140,6 +141,10 @@ roomRow(const Floorplan& plan,
         double volume)
 {
   const ClearHeight height = clearHeight(room);
+  const CeilingFaces ceiling(room);
+  const auto [lowest, highest] = ceiling.solid.empty()
+                                     ? std::pair(height.least, height.greatest)
+                                     : heightRange(ceiling); // as on the sheet
   const WallShares walls = wallShares(plan, room);
   const double area = std::max(room.area(), 0.0);
   return {room.id,
@@ -150,8 +155,8 @@ roomRow(const Floorplan& plan,
           area * height.share_1_5,
           room.perimeter(),
           height.usual,
-          height.least,
-          height.greatest,
+          lowest,
+          highest,
           volume,
           walls.area > 0 ? walls.measured : -1};
 }

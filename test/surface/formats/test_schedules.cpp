@@ -27,8 +27,8 @@ TEST(Schedules, HeadroomBelowASlopeIsInClosedForm)
   EXPECT_NEAR(row.perimeter, 14, 1e-9);
   EXPECT_NEAR(row.area_2_0, 6, 0.1);
   EXPECT_NEAR(row.area_1_5, 9, 0.1);
-  EXPECT_NEAR(row.lowest, 1, 0.05);
-  EXPECT_NEAR(row.highest, 3, 0.05);
+  EXPECT_NEAR(row.lowest, 1, 1e-6);
+  EXPECT_NEAR(row.highest, 3, 1e-6);
   EXPECT_DOUBLE_EQ(row.volume, 24);
   EXPECT_DOUBLE_EQ(row.measured, -1); // nothing was measured
 }

@@ -20,7 +20,7 @@ struct RoomRow {
   double area_1_5 = 0; ///< with at least 1.5 m of headroom
   double perimeter = 0;
   double height = 0; ///< the usual one, see ClearHeight
-  double lowest = 0;
+  double lowest = 0; ///< of the solid's ceiling, but for its smallest parts
   double highest = 0;
   double volume = 0;
   double measured = -1; ///< share of its walls; -1: not known
