@@ -135,9 +135,8 @@ EditOptions::EditOptions()
        [this](PlanEditor& editor, const std::string&) { return editor.square(a_); },
        none},
       {"add-opening",
-       "ROOM.WALL,at=METRES,width=METRES,height=METRES: add an opening whose middle is "
-       "so far from the wall's first end; sill=METRES, kind=door, hinge= and swing= as "
-       "below",
+       "ROOM.WALL,at=M,width=M,height=M: add an opening whose middle is so many metres "
+       "from the wall's first end; sill=0, kind=door and more keys of --opening",
        "ROOM.WALL,at=METRES,width=METRES,height=METRES, perhaps with sill=, kind=, "
        "hinge=, swing=",
        [this](std::string& text) {
@@ -191,9 +190,10 @@ EditOptions::EditOptions()
        },
        none},
       {"opening",
-       "NUMBER,width=METRES,height=METRES,sill=METRES,kind=KIND,hinge=SIDE,swing=ROOM, "
-       "some of them: change an opening, such as D3; SIDE is left, right, double or "
-       "none; kind=none closes it",
+       "NUMBER,KEY=VALUE,...: change an opening, such as D3; keys are width, height, "
+       "sill (metres), kind, hinge (left, right, double, none), swing (the room it "
+       "opens "
+       "into); kind=none closes it",
        "NUMBER and some of width=, height=, sill=, kind=, hinge=, swing=, such as "
        "D3,width=0.9",
        readMark,

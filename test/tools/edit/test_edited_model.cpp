@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "in_folder.h"
-#include "sample_files.h"
-#include "sample_result.h"
+#include "tools/in_folder.h"
+#include "tools/sample_files.h"
+#include "tools/sample_result.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colours/scan_colours.h"
-#include "sedr_tool_runs.h"
 #include "tool_cloud.h"
+#include "tools/sedr_tool_runs.h"
 
 #include <gtest/gtest.h>
 
