@@ -54,6 +54,19 @@ expectOnlySparse(const std::string& told)
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
 }
 
+TEST_F(SedrTool, KeepsThePlanOfAModelThatWasEdited)
+{
+  ASSERT_EQ(onFile(scanOf().pcd(false), {"--no-mesh"}).exit_code, 0);
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}).exit_code, 0);
+  const ProgramRun again = onFile(scanOf().pcd(false), {"--no-mesh"});
+  ASSERT_EQ(again.exit_code, 0);
+  EXPECT_NE(again.err.find("it is kept as floorplan.json~~"), std::string::npos)
+      << again.err;
+  EXPECT_EQ(bytesOf(in("model/floorplan.json")).find("Hall"), std::string::npos);
+  EXPECT_NE(bytesOf(in("model/floorplan.json~~")).find("Hall"), std::string::npos);
+  EXPECT_EQ(bytesOf(in("model/floorplan.json~")), bytesOf(in("model/floorplan.json")));
+}
+
 TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
 {
   const RoomScan scan = scanOf();

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace pcl::sedr::tools {
 
@@ -96,7 +97,10 @@ public:
       if (before_.has(name) && name != "report.json" && name != "report.html" &&
           !std::binary_search(written.begin(), written.end(), name) &&
           !isOfPlan(name)) {
-        fs::create_hard_link(before_.file(name), folder_.file(name));
+        std::error_code error; // of file systems without links
+        fs::create_hard_link(before_.file(name), folder_.file(name), error);
+        if (error)
+          fs::copy_file(before_.file(name), folder_.file(name));
         kept.push_back(name);
       }
     written = folder_.written();
