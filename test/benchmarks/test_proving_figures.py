@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of the figures that proving_ground.py measures on files: test_proving_figures.py FOLDER_OF_PROGRAMS"""
+import json
 import pathlib
 import sys
 import tempfile
@@ -12,6 +13,7 @@ from buildings import run_tests
 try:
     import numpy as np
 
+    import accuracy_grades
     from proving import figures, meshes
 except ImportError:
     figures = None  # numpy, scipy or shapely is missing
@@ -139,6 +141,23 @@ class Figures(unittest.TestCase):
         self.assertEqual(figures.of_labels(self.run_), {
             "ceiling_recall": 3 / 4, "ceiling_precision": 3 / 5, "floor_recall": 1, "floor_precision": 5 / 6, "wall_recall": 3 / 5,
             "wall_precision": 3 / 4, "detail_recall": 2 / 3, "detail_precision": 1})
+
+    def test_of_accuracy_are_shares_of_errors_within_standard_errors(self):
+        meshes.write_mesh(self.folder / "truth.ply", box((4, 3, 2.5)))
+        (self.folder / "truth.json").write_text('{"openings": []}', encoding="utf-8")
+        # Walls 2, 4, 7 and 60 mm off with standard errors of 3 mm; a floor 1 mm off with one of 0.5 mm; a ceiling that was not measured.
+        x0, y0, x1, y1 = -0.007, 0.002, 4.004, 3.06
+        corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+        walls = [{"type": "segment", "start": a, "end": b, "accuracy": {"standard_error": 0.003, "deviation_95": 0.01}}
+                 for a, b in zip(corners, corners[1:] + corners[:1])]
+        room = {"id": 1, "height": 2.5, "boundary": walls, "columns": [], "details": [], "floor_details": [],
+                "floor": {"plane": [0, 0, 1, -0.001], "accuracy": {"standard_error": 0.0005, "deviation_95": 0.01}},
+                "ceiling": {"plane": [0, 0, 1, -2.5]}}
+        (self.folder / "out/floorplan.json").write_text(json.dumps({"rooms": [room], "openings": []}), encoding="utf-8")
+        rows = accuracy_grades.errors_of(self.folder, "out/floorplan.json")
+        self.assertEqual(sorted(round(1000 * abs(row[1]), 3) for row in rows if not np.isnan(row[1])), [1, 2, 4, 7])
+        lines = accuracy_grades.table(rows).splitlines()
+        self.assertEqual(lines[2:], ["| walls | 4 | 1 | 4.00 | 3.00 | 33 % | 67 % | 100 % |", "| floors | 1 | 0 | 1.00 | 0.50 | 0 % | 100 % | 100 % |"])
 
 
 if __name__ == "__main__":

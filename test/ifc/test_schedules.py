@@ -32,6 +32,17 @@ def quantities(instances):
     return found
 
 
+def properties(instances):
+    """{object: {name: value}} of all property sets."""
+    found = {}
+    for kind, v in instances.values():
+        if kind == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCPROPERTYSET":
+            for thing in v[4]:
+                for single in instances[v[5]][1][4]:
+                    found.setdefault(thing, {})[instances[single][1][0]] = instances[single][1][2].value
+    return found
+
+
 class SchedulesAgree(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -39,9 +50,17 @@ class SchedulesAgree(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.plan = house_with_doors()
         cls.plan["names"] = {"2": 'Cell, "north"'}
+        hall, cell = cls.plan["rooms"][:2]
+        hall["boundary"][0]["accuracy"] = {"standard_error": 0.0004, "deviation_95": 0.012}
+        hall["boundary"][2]["accuracy"] = {"standard_error": 0.002, "deviation_95": 0.005}
+        cell["boundary"][0]["accuracy"] = {"standard_error": 0.001, "deviation_95": 0.02}
+        cell["floor"]["accuracy"] = {"standard_error": 0.003, "deviation_95": 0.06}
+        cls.plan["openings"][0].update(residual=0.002, deviation_95=0.006)
+        cls.plan["openings"][1].update(residual=0.02)  # nothing shows its edges
         path = write(IFC, cls.plan, folder.name, "--schedules", folder.name)
         cls.instances = step_reader.read(path)
         cls.sizes = quantities(cls.instances)
+        cls.properties = properties(cls.instances)
         cls.tables = {}
         for name in ("rooms", "openings", "walls"):
             with open(os.path.join(folder.name, name + ".csv"), newline="", encoding="utf-8") as file:
@@ -59,6 +78,29 @@ class SchedulesAgree(unittest.TestCase):
     def expect_same(self, row, sizes, columns):
         for column, name in columns.items():
             self.assertAlmostEqual(float(row[column]), sizes[name], 6, (row, name))
+
+    def expect_accuracy(self, row, thing, stated, of=""):
+        """Standard error and deviation, mm, and both levels: the stated ones in schedule and model."""
+        names = ("standard_error_mm", "deviation_95_mm", "measured_accuracy", "represented_accuracy")
+        self.assertEqual(tuple(row[of + name] for name in names), stated, row)
+        told = self.properties[thing]
+        self.assertEqual((told["MeasuredAccuracy"], told["RepresentedAccuracy"]), stated[2:])
+        for name, text in zip(("StandardError", "Deviation95"), stated):
+            self.assertEqual("%.1f" % (1000 * told[name]) if name in told else "", text)
+
+    def test_accuracy(self):
+        unknown = ("", "", "not measured", "not measured")
+        walls = {v[7]: number for number, v in self.things("IFCWALL").items()}
+        for row in self.tables["walls"]:
+            stated = {"1.1": ("0.4", "12.0", "LOA50", "LOA30"), "1.3": ("2.0", "20.0", "LOA40", "LOA20")}  # the worse face
+            self.expect_accuracy(row, walls[row["number"]], stated.get(row["number"], unknown))
+        slabs = {v[2]: number for number, v in self.things("IFCSLAB").items()}
+        for row in self.tables["rooms"]:
+            stated = ("3.0", "60.0", "LOA30", "LOA10") if row["room"] == "2" else unknown
+            self.expect_accuracy(row, slabs["room_%s_floor_slab" % row["room"]], stated, "floor_")
+        fillings = {v[7]: number for kind in ("IFCDOOR", "IFCWINDOW") for number, v in self.things(kind).items()}
+        for row in self.tables["openings"]:
+            self.expect_accuracy(row, fillings[row["number"]], ("2.0", "6.0", "LOA40", "LOA30") if row["number"] == "D1" else unknown)
 
     def test_rooms(self):
         spaces = {v[2]: number for number, v in self.things("IFCSPACE").items()}

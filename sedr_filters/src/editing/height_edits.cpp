@@ -22,9 +22,12 @@ lift(PlanSlab& slab, std::vector<PlanDetail>& details, double by)
   carrier.details = details;
   carrier = moved({{carrier}}, 0, {0, 0, by}).rooms[0];
   slab = carrier.floor;
+  slab.accuracy = {};
   for (std::size_t k = 0; k < details.size(); ++k)
-    if (details[k].is_facet)
+    if (details[k].is_facet) {
       details[k] = carrier.details[k];
+      details[k].slab.accuracy = {};
+    }
 }
 
 /** @brief Returns a sentence, "the floor of room 3 is at z 0.100 m, it was at 0.000".

@@ -77,6 +77,8 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
   opening.top = opening.bottom + height;
   opening.rise = std::min(opening.rise, height);
   opening.confidence = 1;
+  if (to.width || to.height || to.sill)
+    opening.residual = opening.deviation_95 = 0;
   if (kind != OpeningKind::Door) {
     opening.hinge = OpeningHinge::Unknown;
     opening.swing = 0;

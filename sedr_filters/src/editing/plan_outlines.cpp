@@ -137,6 +137,7 @@ setByHand(const Floorplan& plan, PlanElement& wall)
       });
   wall.inliers = 0;
   wall.residual = 0;
+  wall.accuracy = {};
   wall.evidence = {0, is_measured ? 1.0 : 0.0, 0};
 }
 
@@ -225,6 +226,7 @@ simplify(PlanLoop& loop)
     mean(&ElementEvidence::opening);
     next.inliers += e[k].inliers;
     next.residual = std::max(next.residual, e[k].residual);
+    next.accuracy = worse(next.accuracy, e[k].accuracy);
     next.start = e[k].start;
     e.erase(e.begin() + static_cast<std::ptrdiff_t>(k));
   }

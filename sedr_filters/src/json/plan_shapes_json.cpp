@@ -37,6 +37,22 @@ readName(const Json& json,
   value = static_cast<Enum>(found - names.begin());
 }
 
+/** @brief Writes the accuracy of a surface as a member of it, if it is known. */
+void
+accuracyToJson(const SurfaceAccuracy& accuracy, Json& surface)
+{
+  if (accuracy.isKnown())
+    surface["accuracy"] = {{"standard_error", accuracy.standard_error},
+                           {"deviation_95", accuracy.deviation_95}};
+}
+
+SurfaceAccuracy
+accuracyFrom(const Json& surface)
+{
+  const Json accuracy = surface.value("accuracy", Json::object());
+  return {accuracy.value("standard_error", 0.0), accuracy.value("deviation_95", 0.0)};
+}
+
 } // namespace
 
 using Json = nlohmann::ordered_json;
@@ -58,6 +74,7 @@ to_json(Json& json, const PlanElement& e)
     json["evidence"] = {{"seen", e.evidence.seen},
                         {"hidden", e.evidence.hidden},
                         {"opening", e.evidence.opening}};
+  accuracyToJson(e.accuracy, json);
   if (e.tilt != 0)
     json["tilt"] = e.tilt * degrees;
 }
@@ -86,6 +103,7 @@ from_json(const Json& json, PlanElement& e)
     evidence.at("hidden").get_to(e.evidence.hidden);
     evidence.at("opening").get_to(e.evidence.opening);
   }
+  e.accuracy = accuracyFrom(json);
   e.tilt = json.value("tilt", 0.0) / degrees;
 }
 
@@ -111,6 +129,7 @@ to_json(Json& json, const PlanSlab& slab)
           {"residual", slab.residual}};
   if (slab.inferred > 0)
     json["inferred"] = slab.inferred;
+  accuracyToJson(slab.accuracy, json);
 }
 
 Json
@@ -181,6 +200,7 @@ from_json(const Json& json, PlanSlab& slab)
   if (error > 1e-9 && error <= 1e-3)
     slab.plane /= slab.plane.head<3>().norm();
   slab.inferred = json.value("inferred", 0.0);
+  slab.accuracy = accuracyFrom(json);
   const std::string type = json.value("type", "plane");
   if (type != "plane")
     slab.curve = curveFrom(json, type);
@@ -248,6 +268,8 @@ to_json(Json& json, const PlanOpening& opening)
           {"state", states[static_cast<std::size_t>(opening.state)]},
           {"confidence", opening.confidence},
           {"residual", opening.residual}};
+  if (opening.deviation_95 > 0)
+    json["deviation_95"] = opening.deviation_95;
 }
 
 void
@@ -270,6 +292,7 @@ from_json(const Json& json, PlanOpening& opening)
   opening.swing = json.value("swing", 0U);
   opening.confidence = json.value("confidence", 0.0);
   opening.residual = json.value("residual", 0.0);
+  opening.deviation_95 = json.value("deviation_95", 0.0);
 }
 
 } // namespace pcl::sedr

@@ -55,6 +55,14 @@ checkPlace(const Eigen::Vector2d& p)
 }
 
 void
+checkAccuracy(const SurfaceAccuracy& accuracy)
+{
+  checkRange(accuracy.standard_error, 0, max_coordinate,
+             "the standard error of a surface");
+  checkRange(accuracy.deviation_95, 0, max_coordinate, "the deviation of a surface");
+}
+
+void
 checkElement(const PlanElement& e)
 {
   checkPlace(e.start);
@@ -63,6 +71,7 @@ checkElement(const PlanElement& e)
                                     std::make_pair("hidden", e.evidence.hidden),
                                     std::make_pair("opening", e.evidence.opening)})
     checkRange(share, 0, 1, std::string("the share ") + name + " of an element", "");
+  checkAccuracy(e.accuracy);
   checkRange(e.tilt * 180 / M_PI, -45, 45, "the tilt of a wall", " degrees");
   if (e.radius == 0)
     return;
@@ -121,6 +130,7 @@ checkSlab(const PlanSlab& slab)
               " is needed");
   // A place whose coordinates are within the limit is at most sqrt(3) times as far.
   checkLength(slab.plane[3], "the d of a floor or ceiling", 2 * max_coordinate);
+  checkAccuracy(slab.accuracy);
   if (!slab.curve)
     return;
   checkPlace(slab.curve->centre);
@@ -235,6 +245,7 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
   checkRange(opening.rise, 0, opening.height(), "the rise of an opening's head");
   checkRange(opening.depth, 0, max_coordinate, "the depth of an opening");
   checkRange(opening.residual, 0, max_coordinate, "the residual of an opening");
+  checkRange(opening.deviation_95, 0, max_coordinate, "the deviation of an opening");
   checkRange(opening.confidence, 0, 1, "the confidence of an opening", "");
 }
 

@@ -6,6 +6,15 @@
 
 namespace pcl::sedr {
 
+SurfaceAccuracy
+worse(const SurfaceAccuracy& a, const SurfaceAccuracy& b)
+{
+  if (!a.isKnown() || !b.isKnown())
+    return {};
+  return {std::max(a.standard_error, b.standard_error),
+          std::max(a.deviation_95, b.deviation_95)};
+}
+
 namespace {
 
 constexpr double two_pi = 2 * M_PI;

@@ -7,6 +7,9 @@
 #include "plan_unknowns.h"
 #include "surface_fit.h"
 
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/weighted_quantile.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -93,6 +96,31 @@ tie(std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
   ties.clear();
 }
 
+/** @brief Finds the distance within which 95 % of the points within reach of each
+ * surface lie; each of its patches counts the same. */
+void
+measureDeviations(const PatchPoints& points,
+                  const AdjustmentParameters& parameters,
+                  std::vector<Unknown>& unknowns)
+{
+  constexpr double share = 0.95;
+  parallelBlocks(
+      unknowns.size(), 1, parameters.threads, [&](std::size_t u, std::size_t) {
+        std::vector<Weighted> distances;
+        const auto [first, last] = points.patchesOf(u);
+        for (std::size_t p = first; p < last; ++p) {
+          const std::size_t before = distances.size();
+          for (const Eigen::Vector3f* at = points.begin(p); at != points.end(p); ++at)
+            if (const double d = std::abs(unknowns[u].distance(at->cast<double>()));
+                d < parameters.reach)
+              distances.emplace_back(d, 0);
+          for (std::size_t k = before; k < distances.size(); ++k)
+            distances[k].second = 1 / static_cast<double>(distances.size() - before);
+        }
+        unknowns[u].deviation = weightedQuantile(std::move(distances), share);
+      });
+}
+
 } // namespace
 
 AdjustmentReport
@@ -108,16 +136,14 @@ adjustPlan(Floorplan& plan,
   if (!report.problem.empty())
     return report;
   std::vector<Unknown> given = unknowns.all;
-  {
-    const PatchPoints points(plan, unknowns, raw, indices, parameters);
-    report.problem = points.problem();
-    if (!report.problem.empty())
-      return report;
-    const ScanErrors errors = SurfaceFit(unknowns, points, parameters).run();
-    report.noise = errors.noise;
-    report.waviness = errors.waviness;
-    report.correlation = errors.correlation;
-  }
+  const PatchPoints points(plan, unknowns, raw, indices, parameters);
+  report.problem = points.problem();
+  if (!report.problem.empty())
+    return report;
+  const ScanErrors errors = SurfaceFit(unknowns, points, parameters).run();
+  report.noise = errors.noise;
+  report.waviness = errors.waviness;
+  report.correlation = errors.correlation;
   for (std::size_t u = 0; u < given.size(); ++u)
     if (given[u].may_tilt) {
       given[u].run = unknowns.all[u].is_tilted ? given[u].run : 0;
@@ -151,6 +177,8 @@ adjustPlan(Floorplan& plan,
       if (given[u].kind != UnknownKind::Plane)
         unknowns.all[u] = given[u];
   }
+  setCovariances(ties, unknowns.all);
+  measureDeviations(points, parameters, unknowns.all);
   unknowns.write();
   for (const Unknown& u : unknowns.all)
     if (u.isSeen())

@@ -104,66 +104,94 @@ oddsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
           -std::log((2 * M_PI * covariance).determinant()) / 2};
 }
 
-std::vector<double>
-solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/** @brief The ties about some values of the unknowns: value + slopes times steps = 0.
+ * An equation counts in its standard deviations over the root of the stiffness. */
+struct LinearTies {
+  Eigen::VectorXd value;
+  Sparse slopes;
+  double worst = 0; ///< of the values, unscaled
+};
+
+Sparse
+informationOf(const std::vector<Unknown>& unknowns)
 {
-  using Sparse = Eigen::SparseMatrix<double>;
-  constexpr int max_rounds = 20;
-  constexpr int turns = 8;
-  constexpr double stiffness = 1e6; // of an equation, relative to its own information
-  constexpr double exact = 1e-12;
-  constexpr double good = 1e-9;
   const auto size = static_cast<Eigen::Index>(3 * unknowns.size());
-  const std::vector<Unknown> start = unknowns;
-  std::vector<Unknown> moved = unknowns;
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t u = 0; u < start.size(); ++u)
+  for (std::size_t u = 0; u < unknowns.size(); ++u)
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k)
         entries.emplace_back(static_cast<int>(3 * u) + i, static_cast<int>(3 * u) + k,
-                             start[u].information(i, k));
+                             unknowns[u].information(i, k));
   Sparse information(size, size);
   information.setFromTriplets(entries.begin(), entries.end());
+  return information;
+}
+
+LinearTies
+linearTies(const std::vector<PlanTie>& ties,
+           const std::vector<Unknown>& unknowns,
+           const Eigen::VectorXd& precision)
+{
+  constexpr double stiffness = 1e6; // of an equation, relative to its own information
+  std::vector<PlanTieEquation> equations;
+  for (const PlanTie& tie : ties)
+    for (PlanTieEquation& equation : equationsOf(tie, unknowns))
+      equations.push_back(std::move(equation));
+  const auto count = static_cast<Eigen::Index>(equations.size());
+  LinearTies linear{Eigen::VectorXd(count), Sparse(count, precision.size())};
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index e = 0; e < count; ++e) {
+    const PlanTieEquation& equation = equations[static_cast<std::size_t>(e)];
+    double variance = 0;
+    for (const auto& [i, slope] : equation.slopes)
+      variance += slope * slope / precision[static_cast<Eigen::Index>(i)];
+    const double scale = std::sqrt(stiffness / variance);
+    linear.value[e] = scale * equation.value;
+    for (const auto& [i, slope] : equation.slopes)
+      entries.emplace_back(static_cast<int>(e), static_cast<int>(i), scale * slope);
+    linear.worst = std::max(linear.worst, std::abs(equation.value));
+  }
+  linear.slopes.setFromTriplets(entries.begin(), entries.end());
+  return linear;
+}
+
+} // namespace
+
+std::vector<double>
+solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
+{
+  constexpr int max_rounds = 20;
+  constexpr int turns = 8;
+  constexpr double exact = 1e-12;
+  constexpr double good = 1e-9;
+  const std::vector<Unknown> start = unknowns;
+  std::vector<Unknown> moved = unknowns;
+  const Sparse information = informationOf(start);
   const Eigen::VectorXd precision = information.diagonal();
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(size);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(information.rows());
   Eigen::VectorXd forces; // that hold the equations
   double worst = 0;
   for (int round = 0; round < max_rounds; ++round) {
-    std::vector<PlanTieEquation> equations;
-    for (const PlanTie& tie : ties)
-      for (PlanTieEquation& equation : equationsOf(tie, moved))
-        equations.push_back(std::move(equation));
-    const auto count = static_cast<Eigen::Index>(equations.size());
-    // An equation, in its standard deviations over the root of the stiffness.
-    Eigen::VectorXd value(count);
-    entries.clear();
-    worst = 0;
-    for (Eigen::Index e = 0; e < count; ++e) {
-      const PlanTieEquation& equation = equations[static_cast<std::size_t>(e)];
-      double variance = 0;
-      for (const auto& [i, slope] : equation.slopes)
-        variance += slope * slope / precision[static_cast<Eigen::Index>(i)];
-      const double scale = std::sqrt(stiffness / variance);
-      value[e] = scale * equation.value;
-      for (const auto& [i, slope] : equation.slopes)
-        entries.emplace_back(static_cast<int>(e), static_cast<int>(i), scale * slope);
-      worst = std::max(worst, std::abs(equation.value));
-    }
+    const LinearTies linear = linearTies(ties, moved, precision);
+    worst = linear.worst;
     if (round > 0 && worst < exact)
       break;
-    Sparse slopes(count, size);
-    slopes.setFromTriplets(entries.begin(), entries.end());
-    const Sparse turned = slopes.transpose();
-    const Eigen::SimplicialLDLT<Sparse> solver(information + Sparse(turned * slopes));
+    const Sparse turned = linear.slopes.transpose();
+    const Eigen::SimplicialLDLT<Sparse> solver(information +
+                                               Sparse(turned * linear.slopes));
     if (solver.info() != Eigen::Success)
       return {};
     // Minimises step' information step where value + slopes (step - before) = 0.
-    const Eigen::VectorXd wanted = slopes * step - value;
+    const Eigen::VectorXd wanted = linear.slopes * step - linear.value;
     if (round == 0)
-      forces = Eigen::VectorXd::Zero(count);
+      forces = Eigen::VectorXd::Zero(wanted.size());
     for (int turn = 0; turn < turns; ++turn) {
       step = solver.solve(turned * (wanted - forces));
-      forces += slopes * step - wanted;
+      forces += linear.slopes * step - wanted;
     }
     if (!step.allFinite())
       return {};
@@ -182,6 +210,21 @@ solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
   }
   unknowns = std::move(moved);
   return costs;
+}
+
+void
+setCovariances(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
+{
+  const Sparse information = informationOf(unknowns);
+  const LinearTies linear = linearTies(ties, unknowns, information.diagonal());
+  const Eigen::SimplicialLDLT<Sparse> solver(
+      information + Sparse(Sparse(linear.slopes.transpose()) * linear.slopes));
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    Eigen::MatrixXd units = Eigen::MatrixXd::Zero(information.rows(), 3);
+    units.middleRows<3>(static_cast<Eigen::Index>(3 * u)).setIdentity();
+    unknowns[u].covariance = Eigen::MatrixXd(solver.solve(units))
+                                 .middleRows<3>(static_cast<Eigen::Index>(3 * u));
+  }
 }
 
 } // namespace pcl::sedr

@@ -68,6 +68,13 @@ Unknown::describeAt(double z)
   height = z;
 }
 
+SurfaceAccuracy
+Unknown::accuracyAt(const Eigen::Vector2d& place) const
+{
+  const Eigen::Vector3d by = row({place.x(), place.y(), height});
+  return {std::sqrt(by.dot(covariance * by)), deviation};
+}
+
 PlanCurve
 Unknown::curve() const
 {
@@ -254,6 +261,7 @@ PlanUnknowns::write() const
       continue;
     s.slab->inliers = static_cast<std::size_t>(u.count);
     s.slab->residual = u.noise;
+    s.slab->accuracy = u.accuracyAt(u.point);
   }
   for (const UnknownLoop& loop : loops)
     for (std::size_t i = 0; i < loop.of_element.size(); ++i) {
@@ -262,8 +270,10 @@ PlanUnknowns::write() const
         loop.loop->elements[i].tilt = u.is_tilted ? std::atan(u.run) : 0;
       if (!u.isSeen())
         continue;
-      loop.loop->elements[i].inliers = static_cast<std::size_t>(u.count);
-      loop.loop->elements[i].residual = u.noise;
+      PlanElement& e = loop.loop->elements[i];
+      e.inliers = static_cast<std::size_t>(u.count);
+      e.residual = u.noise;
+      e.accuracy = u.accuracyAt(e.pointAt(e.length() / 2));
     }
 }
 

@@ -36,10 +36,12 @@ struct Unknown {
   bool is_wall = false;   ///< a room's face: the room is to the left of the line
   std::size_t room = 0;   ///< index in the plan
 
-  double count = 0;  ///< points of its patches; 0: not seen
-  double noise = 0;  ///< standard deviation of its points, metres
-  double spread = 0; ///< standard deviation of its patches, metres
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); ///< inverse covariance
+  double count = 0;     ///< points of its patches; 0: not seen
+  double noise = 0;     ///< standard deviation of its points, metres
+  double spread = 0;    ///< standard deviation of its patches, metres
+  double deviation = 0; ///< distance within which 95 % of its points lie, metres
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); ///< inverse covariance, alone
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< with its ties
 
   bool isSeen() const { return count > 0; }
 
@@ -54,6 +56,9 @@ struct Unknown {
     return (to.dot(leftOf(direction)) - run * (p.z() - height)) /
            std::sqrt(1 + run * run);
   }
+
+  /** @brief Returns the accuracy of the surface at a place in plan. */
+  SurfaceAccuracy accuracyAt(const Eigen::Vector2d& place) const;
 
   /** @brief Returns the negative derivative of the distance by the unknowns. */
   Eigen::Vector3d row(const Eigen::Vector3d& p) const

@@ -44,6 +44,7 @@ joinNeighbours(PlanLoop& loop)
     }
     elements[k].end = elements[next].end;
     elements[k].inliers = std::max(elements[k].inliers, elements[next].inliers);
+    elements[k].accuracy = worse(elements[k].accuracy, elements[next].accuracy);
     elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(next));
     k = next == 0 ? elements.size() : k;
   }

@@ -121,6 +121,7 @@ withoutInliers(std::vector<PlanElement> elements)
     e.inliers = 0;
     e.residual = 0;
     e.evidence = {};
+    e.accuracy = {};
   }
   return elements;
 }

@@ -28,7 +28,28 @@ struct EdgeFrame {
 struct EdgeFit {
   double position;
   double residual;
+  double deviation; ///< distance within which 95 % of what shows it lies
 };
+
+/** @brief Fits an edge to the positions of what shows it, around their middle.
+ * @param accuracy metres: no edge is known better */
+EdgeFit
+edgeAt(double position,
+       const std::vector<double>& shown,
+       double middle,
+       double accuracy)
+{
+  constexpr double share = 0.95;
+  std::vector<double> off;
+  for (const double at : shown)
+    off.push_back(std::abs(at - middle));
+  std::sort(off.begin(), off.end());
+  const auto n = static_cast<double>(off.size());
+  const auto last = static_cast<std::size_t>(std::ceil(share * n)) - 1;
+  const double deviation = off[last];
+  return {position, 1.48 * middleValue(std::move(off)) / std::sqrt(n) + accuracy,
+          deviation};
+}
 
 /** @brief Fits the plane of a reveal: the outermost peak of the points that lie just
  * behind the face, spread over the length of the edge. */
@@ -91,10 +112,7 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
         return std::nullopt;
       middle = middleValue(at);
     }
-    for (double& a : at)
-      a = std::abs(a - middle);
-    const auto n = static_cast<double>(at.size());
-    return EdgeFit{middle, 1.48 * middleValue(std::move(at)) / std::sqrt(n) + 0.001};
+    return edgeAt(middle, at, middle, 0.001);
   }
   return std::nullopt;
 }
@@ -131,11 +149,7 @@ rimOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
     return std::nullopt;
   spacing /= static_cast<double>(rims.size()); // along the line of a stretch
   const double middle = middleValue(rims);
-  for (double& r : rims)
-    r = std::abs(r - middle);
-  const auto n = static_cast<double>(rims.size());
-  return EdgeFit{edge.position + middle - std::min(spacing, 0.02),
-                 1.48 * middleValue(std::move(rims)) / std::sqrt(n) + 0.002};
+  return edgeAt(edge.position + middle - std::min(spacing, 0.02), rims, middle, 0.002);
 }
 
 } // namespace
@@ -151,8 +165,10 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
     std::optional<EdgeFit> found = revealOf(map, edge, sizes);
     if (!found)
       found = rimOf(map, edge, sizes);
-    if (found)
+    if (found) {
       value = sign * found->position;
+      fit.deviation = std::max(fit.deviation, found->deviation);
+    }
     const double unfitted = map.cell() / 2;
     const double residual = found ? found->residual : unfitted;
     squares += residual * residual;

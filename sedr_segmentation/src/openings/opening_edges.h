@@ -11,9 +11,10 @@ struct WallRectangle {
   double from = 0; ///< along the side
   double to = 0;
   double bottom = 0;
-  double top = 0;      ///< of an arched head: its highest point
-  double residual = 0; ///< standard deviation of its edges
-  double rise = 0;     ///< of an arched head
+  double top = 0;       ///< of an arched head: its highest point
+  double residual = 0;  ///< standard deviation of its edges
+  double rise = 0;      ///< of an arched head
+  double deviation = 0; ///< distance from its edges of 95 % of what shows them
 };
 
 /** @brief Returns the rectangle with edges moved to the planes of the reveals, else to

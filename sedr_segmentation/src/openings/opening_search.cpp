@@ -312,6 +312,7 @@ private:
     o.top = at.top;
     o.rise = at.rise;
     o.residual = at.residual;
+    o.deviation_95 = at.deviation;
     candidate.filled = map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1,
                                    at.bottom + 0.1, at.top - 0.1);
     o.rooms[0] = room.id;

@@ -82,18 +82,36 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
                           {"AREA", "CrossSectionArea", std::abs(column.area())}});
   double residual = 0;
   std::size_t points = 0;
+  SurfaceAccuracy accuracy = column.elements[0].accuracy;
   for (const PlanElement& face : column.elements) {
     residual = std::max(residual, face.residual);
     points += face.inliers;
+    accuracy = worse(accuracy, face.accuracy);
   }
-  document.addProperties(ref, name, "Pset_SEDR",
-                         {{"Residual", typed("IFCLENGTHMEASURE", residual)},
-                          {"Points", typed("IFCINTEGER", integer(points))}});
+  std::vector<Property> properties{{"Residual", typed("IFCLENGTHMEASURE", residual)},
+                                   {"Points", typed("IFCINTEGER", integer(points))}};
+  appendAccuracy(accuracy, properties);
+  document.addProperties(ref, name, "Pset_SEDR", properties);
   writeBoundary(document, r, name, ref);
   ++document.model.columns;
 }
 
 } // namespace
+
+void
+appendAccuracy(const SurfaceAccuracy& accuracy, std::vector<Property>& properties)
+{
+  properties.emplace_back("MeasuredAccuracy",
+                          typed("IFCLABEL", measuredLevel(accuracy)));
+  properties.emplace_back("RepresentedAccuracy",
+                          typed("IFCLABEL", representedLevel(accuracy)));
+  if (!accuracy.isKnown())
+    return;
+  properties.emplace_back("StandardError",
+                          typed("IFCLENGTHMEASURE", accuracy.standard_error));
+  properties.emplace_back("Deviation95",
+                          typed("IFCLENGTHMEASURE", accuracy.deviation_95));
+}
 
 void
 writeDetails(IfcDocument& document)

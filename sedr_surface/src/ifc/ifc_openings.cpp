@@ -196,11 +196,12 @@ private:
         filling, mark, "Pset_" + kind + "Common",
         {{"Reference", typed("IFCIDENTIFIER", type)},
          {"IsExternal", typed("IFCBOOLEAN", logical(is_external))}});
-    document_.addProperties(
-        filling, mark, "Pset_SEDR",
-        {{"Confidence", shareProperty(opening.confidence)},
-         {"SillHeight",
-          typed("IFCLENGTHMEASURE", rounded(sillOf(document_.plan, opening)))}});
+    std::vector<Property> properties{
+        {"Confidence", shareProperty(opening.confidence)},
+        {"SillHeight",
+         typed("IFCLENGTHMEASURE", rounded(sillOf(document_.plan, opening)))}};
+    appendAccuracy(accuracyOf(opening), properties);
+    document_.addProperties(filling, mark, "Pset_SEDR", properties);
   }
 
   /** @return the name of the type */

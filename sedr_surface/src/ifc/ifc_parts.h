@@ -35,6 +35,9 @@ confidenceOf(const PlanElement& face)
   return face.evidence.isKnown() ? confidence(face.evidence.seen, face.residual) : -1;
 }
 
+/** @brief Appends the accuracy of a surface to the properties of an element. */
+void appendAccuracy(const SurfaceAccuracy& accuracy, std::vector<Property>& properties);
+
 /** @brief A wall in the file. */
 struct WrittenWall {
   PlanWall wall;

@@ -125,11 +125,12 @@ private:
     document_.addQuantities(slab, name, "Qto_SlabBaseQuantities",
                             {{"LENGTH", "Width", std::abs(thickness)},
                              {"AREA", "GrossArea", std::abs(room.boundary.area())}});
-    document_.addProperties(
-        slab, name, "Pset_SEDR",
-        {{"ThicknessAssumed", typed("IFCBOOLEAN", logical(is_assumed))},
-         {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
-         {"Points", typed("IFCINTEGER", integer(face.inliers))}});
+    std::vector<Property> properties{
+        {"ThicknessAssumed", typed("IFCBOOLEAN", logical(is_assumed))},
+        {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
+        {"Points", typed("IFCINTEGER", integer(face.inliers))}};
+    appendAccuracy(face.accuracy, properties);
+    document_.addProperties(slab, name, "Pset_SEDR", properties);
     ++document_.model.slabs;
     writeBoundary(document_, r, name, slab, is_assumed ? "NOTDEFINED" : "INTERNAL");
     return Slab{name, slab};

@@ -63,6 +63,16 @@ measuredShare(const Floorplan& plan, const PlanWall& wall)
   return shares.area > 0 ? shares.measured : -1;
 }
 
+/** @brief Returns the accuracy of both faces of a wall. */
+SurfaceAccuracy
+accuracyOf(const Floorplan& plan, const PlanWall& wall)
+{
+  const auto of = [&](const WallFace& face) {
+    return isGuess(plan, face) ? SurfaceAccuracy() : elementOf(plan, face).accuracy;
+  };
+  return wall.other ? worse(of(wall.face), of(*wall.other)) : of(wall.face);
+}
+
 WallRow
 rowOf(const IfcDocument& document,
       const WrittenWall& written,
@@ -89,6 +99,7 @@ rowOf(const IfcDocument& document,
   row.gross_volume = plan_area * written.mean_height;
   row.net_volume = std::max(row.gross_volume - open * wall.thickness, 0.0);
   row.measured = measuredShare(document.plan, wall);
+  row.accuracy = accuracyOf(document.plan, wall);
   return row;
 }
 
@@ -119,6 +130,7 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
       {"Face", typed("IFCTEXT", faceName(document.plan, wall.face))},
       {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
       {"Points", typed("IFCINTEGER", integer(face.inliers))}};
+  appendAccuracy(row.accuracy, properties);
   double confidence = confidenceOf(face);
   if (wall.other) {
     properties.emplace_back("OtherFace",

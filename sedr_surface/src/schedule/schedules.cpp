@@ -19,7 +19,7 @@ namespace {
 /** @brief A column of a schedule. */
 template <typename Row>
 struct Column {
-  const char* name;
+  std::string name;
   std::function<std::string(const Row&)> text;
 };
 
@@ -50,13 +50,38 @@ tableOf(const char* name,
 {
   ScheduleTable table{name, {}, {}};
   for (const Column<Row>& column : columns)
-    table.columns.emplace_back(column.name);
+    table.columns.push_back(column.name);
   for (const Row& row : rows) {
     table.rows.emplace_back();
     for (const Column<Row>& column : columns)
       table.rows.back().push_back(column.text(row));
   }
   return table;
+}
+
+/** @brief Returns the columns, and those of an accuracy.
+ * @param of "floor_", to tell several of a row apart */
+template <typename Row>
+std::vector<Column<Row>>
+withAccuracy(std::vector<Column<Row>> columns,
+             SurfaceAccuracy Row::*member,
+             const std::string& of = "")
+{
+  const auto add = [&](const char* name, auto text) {
+    columns.push_back({of + name, [=](const Row& row) { return text(row.*member); }});
+  };
+  const auto millimetres = [](const SurfaceAccuracy& accuracy, double value) {
+    return accuracy.isKnown() ? decimalText(1000 * value, 1) : "";
+  };
+  add("standard_error_mm", [=](const SurfaceAccuracy& accuracy) {
+    return millimetres(accuracy, accuracy.standard_error);
+  });
+  add("measured_accuracy", measuredLevel);
+  add("deviation_95_mm", [=](const SurfaceAccuracy& accuracy) {
+    return millimetres(accuracy, accuracy.deviation_95);
+  });
+  add("represented_accuracy", representedLevel);
+  return columns;
 }
 
 const std::vector<Column<RoomRow>> room_columns{
@@ -124,6 +149,37 @@ lineOf(const std::vector<std::string>& texts)
 } // namespace
 
 std::string
+levelOfAccuracy(double error_95)
+{
+  if (!(error_95 > 0))
+    return "not measured";
+  int level = 50;
+  for (const double finest : {0.001, 0.005, 0.015, 0.05})
+    level -= error_95 > finest ? 10 : 0;
+  return "LOA" + std::to_string(level);
+}
+
+std::string
+measuredLevel(const SurfaceAccuracy& accuracy)
+{
+  return levelOfAccuracy(2 * accuracy.standard_error);
+}
+
+std::string
+representedLevel(const SurfaceAccuracy& accuracy)
+{
+  return levelOfAccuracy(accuracy.isKnown() ? accuracy.deviation_95 : 0);
+}
+
+SurfaceAccuracy
+accuracyOf(const PlanOpening& opening)
+{
+  return opening.deviation_95 > 0
+             ? SurfaceAccuracy{opening.residual, opening.deviation_95}
+             : SurfaceAccuracy{};
+}
+
+std::string
 leafOf(const PlanOpening& opening)
 {
   const std::vector<OpeningLeaf> leaves = leavesOf(opening);
@@ -158,7 +214,9 @@ roomRow(const Floorplan& plan,
           lowest,
           highest,
           volume,
-          walls.area > 0 ? walls.measured : -1};
+          walls.area > 0 ? walls.measured : -1,
+          room.floor.accuracy,
+          room.ceiling.accuracy};
 }
 
 std::vector<OpeningRow>
@@ -184,7 +242,8 @@ openingRows(const Floorplan& plan)
     rows.push_back({markOf(*opening), nameOf(opening->kind),
                     storey == storeys.end() ? "" : storey->name, opening->width(),
                     opening->height(), sillOf(plan, *opening), leafOf(*opening),
-                    opening->swing, opening->rooms, opening->confidence});
+                    opening->swing, opening->rooms, opening->confidence,
+                    accuracyOf(*opening)});
   }
   return rows;
 }
@@ -192,9 +251,14 @@ openingRows(const Floorplan& plan)
 std::vector<ScheduleTable>
 tablesOf(const Schedules& schedules)
 {
-  return {tableOf("rooms", room_columns, schedules.rooms),
-          tableOf("openings", opening_columns, schedules.openings),
-          tableOf("walls", wall_columns, schedules.walls)};
+  return {tableOf("rooms",
+                  withAccuracy(withAccuracy(room_columns, &RoomRow::floor, "floor_"),
+                               &RoomRow::ceiling, "ceiling_"),
+                  schedules.rooms),
+          tableOf("openings", withAccuracy(opening_columns, &OpeningRow::accuracy),
+                  schedules.openings),
+          tableOf("walls", withAccuracy(wall_columns, &WallRow::accuracy),
+                  schedules.walls)};
 }
 
 std::string

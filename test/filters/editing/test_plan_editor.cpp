@@ -423,8 +423,10 @@ TEST(PlanEditor, WhatIsSetByHandWasNotMeasured)
 {
   Floorplan measured = twoRooms();
   for (PlanRoom& room : measured.rooms)
-    for (PlanElement& wall : room.boundary.elements)
+    for (PlanElement& wall : room.boundary.elements) {
       wall.evidence.seen = 1;
+      wall.accuracy = {0.001, 0.01};
+    }
   const auto inferredOf = [](const PlanEditor& editor, std::size_t wall) {
     return wallShares(editor.getFloorplan(), editor.getFloorplan().rooms[0], wall)
         .inferred;
@@ -443,6 +445,9 @@ TEST(PlanEditor, WhatIsSetByHandWasNotMeasured)
   PlanEditor moved(measured);
   ASSERT_TRUE(moved.moveWall(1, 4, 0.05));
   EXPECT_EQ(inferredOf(moved, 3), 1);
+  const auto& walls = moved.getFloorplan().rooms[0].boundary.elements;
+  for (std::size_t wall = 0; wall < walls.size(); ++wall)
+    EXPECT_EQ(walls[wall].accuracy.isKnown(), wall != 3) << wall;
   PlanEditor parted(measured);
   ASSERT_TRUE(parted.split(1, {1, -1}, {1, 4}));
   for (const std::size_t r : {0, 2}) {

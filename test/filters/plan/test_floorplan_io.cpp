@@ -22,6 +22,8 @@ samplePlan()
   room.boundary.elements[0].inliers = 123456789;
   room.boundary.elements[0].residual = 1.0 / 3;
   room.boundary.elements[0].evidence = {1.0 / 7, 0.5, 5.0 / 14};
+  room.boundary.elements[0].accuracy = {1.0 / 3000, 0.1 / 7};
+  room.floor.accuracy = {0.1 / 300, 1.0 / 70};
   room.floor.plane = Eigen::Vector4d(1e-300, -1.0 / 7, std::sqrt(1 - 1.0 / 49), -0.1);
   room.floor.inliers = 17;
   room.floor.residual = 0.1 + 0.2;
@@ -57,6 +59,12 @@ TEST(FloorplanJson, ReadsBackExactly)
   EXPECT_EQ(wall.inliers, 123456789u);
   EXPECT_EQ(wall.residual, 1.0 / 3);
   EXPECT_EQ(wall.evidence.hidden, 0.5);
+  EXPECT_EQ(wall.accuracy.standard_error, 1.0 / 3000);
+  EXPECT_EQ(wall.accuracy.deviation_95, 0.1 / 7);
+  EXPECT_EQ(room.floor.accuracy.standard_error, 0.1 / 300);
+  EXPECT_EQ(room.floor.accuracy.deviation_95, 1.0 / 70);
+  EXPECT_FALSE(room.ceiling.accuracy.isKnown());
+  EXPECT_FALSE(room.boundary.elements[1].accuracy.isKnown());
   EXPECT_EQ(room.floor.plane, plan.rooms[0].floor.plane);
   EXPECT_EQ(room.columns[0].elements[0].centre, Eigen::Vector2d(M_PI, M_E));
   EXPECT_EQ(room.details[0].holes.size(), 2u);

@@ -30,6 +30,7 @@ planWithADoor()
   door.state = OpeningState::Ajar;
   door.confidence = 0.9;
   door.residual = 0.003;
+  door.deviation_95 = 0.007;
   plan.openings = {door};
   return plan;
 }
@@ -52,6 +53,8 @@ TEST(PlanOpenings, ReadBackAsWritten)
   EXPECT_EQ(door.swing, 3u);
   EXPECT_EQ(door.state, OpeningState::Ajar);
   EXPECT_EQ(door.confidence, 0.9);
+  EXPECT_EQ(door.residual, 0.003);
+  EXPECT_EQ(door.deviation_95, 0.007);
 }
 
 TEST(PlanOpenings, AreNumberedInTheirKindFromTheLowestStoreyUpAndKeepTheirNumbers)

@@ -500,6 +500,17 @@ class OtherReportsInABrowser(BrowserCase):
         self.assertEqual((row["area, m²"], row["area above 2.0m, m²"], row["walls measured, %"]), ("11.750", "9.000", "38"))
         self.assertNotIn("walls: ", self.words(browser, "#schedules"))
 
+    def test_the_accuracy_of_nine_tenths_of_what_was_measured_is_stated(self):
+        walls = {"measured": {"LOA50": 4, "LOA40": 5, "LOA20": 1, "not measured": 2}, "represented": {"LOA30": 8, "LOA10": 2, "not measured": 2}}
+        self.write("report.json", {**sample_report(), "accuracy": {"walls": walls}})
+        self.make(*WITHOUT_MODEL)
+        browser = self.open()
+        self.assertIn("75 % of the walls are measured to LOA40 or better. 83 % of the walls are represented to LOA10 or better.",
+                      self.words(browser, "#accuracy"))
+        self.assertIn("of the walls measured to LOA40 or better 75 %", self.words(browser, "#figures"))
+        row = self.row(browser, "accuracy", "walls")
+        self.assertEqual((row["LOA50"], row["LOA40"], row["LOA30"], row["LOA20"], row["not measured"]), ("4", "5", "", "1", "2"))
+
     def test_walls_show_what_was_seen_of_them(self):
         wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
                 "openings": [{"kind": "door", "from": 2, "to": 3, "bottom": 0, "top": 1}]}

@@ -113,6 +113,27 @@ schedulesOf(const Schedules& schedules)
   return tables;
 }
 
+/** @brief Returns how many elements have each level of accuracy, by kind. */
+Json
+accuracyOf(const Schedules& schedules)
+{
+  Json kinds;
+  const auto count = [&](const char* kind, const auto& rows, auto member) {
+    for (const auto& row : rows)
+      for (const auto& [what, level] :
+           {std::pair("measured", measuredLevel(row.*member)),
+            std::pair("represented", representedLevel(row.*member))}) {
+        Json& number = kinds[kind][what][level];
+        number = number.is_null() ? 1 : number.get<int>() + 1;
+      }
+  };
+  count("walls", schedules.walls, &WallRow::accuracy);
+  count("floors", schedules.rooms, &RoomRow::floor);
+  count("ceilings", schedules.rooms, &RoomRow::ceiling);
+  count("openings", schedules.openings, &OpeningRow::accuracy);
+  return kinds;
+}
+
 /** @brief Returns the place of a warning in plan, null if it has none. */
 Json
 placeOf(const PlanWarning& warning, const Floorplan& plan)
@@ -154,6 +175,7 @@ setPlan(Json& report,
   report["support"] = supportOf(wallShares(plan));
   report["rooms"] = roomsOf(plan, schedules, solids);
   report["schedules"] = schedulesOf(schedules);
+  report["accuracy"] = accuracyOf(schedules);
   report["openings"] = openingsOf(plan);
   report["unlikely"] = warningsOf(unlikelyPlaces(plan), plan);
 }

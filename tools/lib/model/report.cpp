@@ -159,6 +159,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"support", nullptr},
             {"rooms", nullptr},
             {"schedules", nullptr},
+            {"accuracy", nullptr},
             {"openings", nullptr},
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},

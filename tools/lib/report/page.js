@@ -68,12 +68,38 @@
     }
     if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
       ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
+    const stated = statedAccuracy('walls', 'measured');
+    if (stated) figures.push([`of the walls measured to ${stated.level} or better`, percent(stated.share)]);
     for (const noise of (report.noise || []).filter(storey => storey.stretches).sort((a, b) => b.measured - a.measured).slice(0, 1))
       figures.push([`noise of walls, correlated over ${number(100 * noise.correlation)}\u00a0cm`, centimetres(noise.measured)]);
     if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
       ['within 5\u00a0cm', percent(distances.within_5cm)]);
     byId('figures').append(...figures.map(([name, value]) =>
       make('div', {}, make('dt', {}, name), make('dd', {}, String(value)))));
+  }
+
+  // ---- Accuracy ----
+
+  const levels = ['LOA50', 'LOA40', 'LOA30', 'LOA20', 'LOA10'], notMeasured = 'not measured';
+
+  // The finest level that nine tenths of what was measured of a kind reach, and the share of all of the kind that do.
+  function statedAccuracy(kind, what) {
+    const counts = ((report.accuracy || {})[kind] || {})[what] || {}, all = sum(Object.values(counts), count => count);
+    let reached = 0;
+    for (const level of levels)
+      if ((reached += counts[level] || 0) > 0 && reached >= 0.9 * (all - (counts[notMeasured] || 0)))
+        return { level, share: reached / all };
+    return null;
+  }
+
+  function accuracy(section) {
+    const rows = Object.entries(report.accuracy || {}).flatMap(([kind, found]) => Object.keys(found).map(what => ({ kind, what, counts: found[what] })));
+    const sentences = ['measured', 'represented'].map(what => [what, statedAccuracy('walls', what)]).filter(([, stated]) => stated)
+      .map(([what, { level, share }]) => `${percent(share)} of the walls are ${what} to ${level} or better.`);
+    section.querySelector('.summary').append(sentences.join(' '));
+    section.querySelector('.wide').append(table([['of', row => row.kind, 'text'], ['accuracy', row => row.what, 'text'],
+      ...[...levels, notMeasured].map(level => [level, row => row.counts[level] || ''])], rows));
+    return rows.length > 0;
   }
 
   // ---- Advice: [finding, remedy] ----
@@ -249,7 +275,7 @@
   }
 
   function schedules(section) {
-    const units = { m: 'm', m2: 'm²', m3: 'm³', percent: '%' };
+    const units = { m: 'm', mm: 'mm', m2: 'm²', m3: 'm³', percent: '%' };
     const titleOf = column => column.replace(/_([^_]*)$/, (end, unit) => unit in units ? ', ' + units[unit] : end).replaceAll('_', ' ');
     const tables = Object.entries(report.schedules || {}).filter(([, { rows }]) => rows.length);
     for (const [name, { columns, rows }] of tables)
@@ -402,7 +428,7 @@
   }
 
   head();
-  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, schedules, walls, model, pictures,
+  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, accuracy, schedules, walls, model, pictures,
     distances: distanceSection, files, stages, parameters }).forEach(([id, fill]) => {
     byId(id).hidden = false;
     try {

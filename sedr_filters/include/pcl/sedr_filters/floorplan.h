@@ -98,6 +98,19 @@ struct ElementEvidence {
   bool isKnown() const { return seen + hidden + opening > 0; }
 };
 
+/** @brief How accurately a scan shows where a surface of a plan is, metres; both 0 if
+ * it was not measured, but guessed or set by hand. See levelOfAccuracy(). */
+struct SurfaceAccuracy {
+  double standard_error = 0; ///< of its place in its middle, across it
+  double deviation_95 = 0;   ///< distance within which 95 % of the points beside it lie
+
+  bool isKnown() const { return standard_error > 0; }
+};
+
+/** @brief Returns the accuracy of two surfaces together: that of the worse one, none if
+ * one was not measured. */
+SurfaceAccuracy worse(const SurfaceAccuracy& a, const SurfaceAccuracy& b);
+
 /** @brief A straight segment or a circular arc of a plan, metres. That of a tilted wall
  * is its foot, at the height of the floor's main plane; the wall is a plane on a
  * segment, a cone on an arc. */
@@ -111,6 +124,7 @@ struct PlanElement {
   std::size_t inliers = 0;  ///< number of points that the element was fitted to
   double residual = 0;      ///< root mean square distance of these points, metres
   ElementEvidence evidence; ///< shares seen, hidden and open
+  SurfaceAccuracy accuracy; ///< of its place
   double tilt = 0; ///< of a wall, radians from the vertical, positive into the room
 
   bool isArc() const { return radius > 0; }
@@ -189,6 +203,7 @@ struct PlanSlab {
   double residual = 0; ///< root mean square distance of the inliers, metres
   double inferred = 0; ///< share of the area that was not seen
   std::shared_ptr<const SlabCurve> curve{}; ///< shape of a vault or dome; null: a plane
+  SurfaceAccuracy accuracy{};               ///< of its place
 
   double heightAt(const Eigen::Vector2d& p) const
   {

@@ -47,6 +47,8 @@ struct PlanOpening {
   OpeningState state = OpeningState::Unknown;
   double confidence = 0;    ///< probability of `kind`, or of the likeliest if unknown
   double residual = 0;      ///< standard deviation of its edges
+  double deviation_95 = 0;  ///< distance from its edges within which 95 % of the points
+                            ///< that show them lie; 0: none does
   std::uint32_t number = 0; ///< in its kind, see numberOpenings(); 0: not numbered yet
 
   double width() const { return (end - start).norm(); }

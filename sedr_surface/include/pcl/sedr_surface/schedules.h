@@ -23,7 +23,9 @@ struct RoomRow {
   double lowest = 0; ///< of the solid's ceiling, but for its smallest parts
   double highest = 0;
   double volume = 0;
-  double measured = -1; ///< share of its walls; -1: not known
+  double measured = -1;      ///< share of its walls; -1: not known
+  SurfaceAccuracy floor{};   ///< of its main floor
+  SurfaceAccuracy ceiling{}; ///< of its main ceiling
 };
 
 /** @brief A row of the schedule of doors, windows and passages; metres. */
@@ -38,6 +40,7 @@ struct OpeningRow {
   std::uint32_t swing = 0;            ///< room that the leaf opens into
   std::array<std::uint32_t, 2> rooms; ///< 0: outside
   double confidence = 0;              ///< probability of the kind
+  SurfaceAccuracy accuracy{};         ///< of its edges
 
   double head() const { return sill + height; }
 };
@@ -56,7 +59,8 @@ struct WallRow {
   double net_area = 0;   ///< without openings
   double gross_volume = 0;
   double net_volume = 0;
-  double measured = -1; ///< share of its faces; -1: not known
+  double measured = -1;       ///< share of its faces; -1: not known
+  SurfaceAccuracy accuracy{}; ///< of the worse face; none if one is a guess
 };
 
 /** @brief The schedules of a building. */
@@ -73,6 +77,21 @@ struct ScheduleTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
 };
+
+/** @brief Returns the level of accuracy (USIBD C220) of errors of which 95 % do not
+ * exceed `error_95` metres: "LOA50" up to 1 mm, "LOA40" up to 5 mm, "LOA30" up to
+ * 15 mm, "LOA20" up to 5 cm, else "LOA10"; "not measured" if it is 0. */
+std::string levelOfAccuracy(double error_95);
+
+/** @brief Returns the level of what was measured: two standard errors. */
+std::string measuredLevel(const SurfaceAccuracy& accuracy);
+
+/** @brief Returns the level at which the model represents the points. */
+std::string representedLevel(const SurfaceAccuracy& accuracy);
+
+/** @brief Returns the accuracy of the edges of an opening; none if nothing shows them.
+ */
+SurfaceAccuracy accuracyOf(const PlanOpening& opening);
 
 /** @brief Returns the hand of a door's leaf as one sees it who pushes it open, as IFC
  * does: "left" or "right", where its hinges are; "double"; "" if it is not known. */

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The accuracy that adjustPlan() states against errors that are known.
+#include "shaken_plans.h"
+
+#include <array>
+
+namespace {
+
+using namespace sedr_test;
+
+/** Shares of errors within one, two and three of their standard errors. */
+struct WithinErrors {
+  std::array<double, 3> shares{};
+  double squares = 0;         ///< sum of the errors'
+  double standard_errors = 0; ///< their sum
+  double count = 0;
+
+  double rms() const { return std::sqrt(squares / count); }
+
+  void add(double error, const SurfaceAccuracy& accuracy)
+  {
+    ASSERT_TRUE(accuracy.isKnown());
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      shares[k] += std::abs(error) <= (k + 1) * accuracy.standard_error ? 1 : 0;
+    squares += error * error;
+    standard_errors += accuracy.standard_error;
+    ++count;
+  }
+
+  void areThoseOfANormalDistribution() const
+  {
+    EXPECT_NEAR(shares[0] / count, 0.68, 0.12);
+    EXPECT_NEAR(shares[1] / count, 0.95, 0.05);
+    EXPECT_GT(shares[2] / count, 0.985);
+  }
+};
+
+/** A room whose walls are neither square nor parallel, so that none is tied. */
+PlanRoom
+obliqueRoom()
+{
+  return roomOf(polygon({{0, 0}, {4, 0.3}, {4.4, 3}, {0.2, 3.4}}), 2.6);
+}
+
+/** Fits the oblique room to points and adds the errors of its walls' middles. */
+Floorplan
+fitAndAdd(const PointView& points, unsigned seed, WithinErrors& walls)
+{
+  const PlanRoom truth = obliqueRoom();
+  Floorplan plan = offPlan(truth, 0.005, seed);
+  adjustPlan(plan, points);
+  for (std::size_t e = 0; e < truth.boundary.elements.size(); ++e) {
+    const PlanElement& wall = plan.rooms[0].boundary.elements[e];
+    const PlanElement& of = truth.boundary.elements[e];
+    const Vector2d middle = wall.pointAt(wall.length() / 2);
+    walls.add((middle - of.start).dot(of.normalAt(0)), wall.accuracy);
+  }
+  return plan;
+}
+
+/** A random function of the plane whose values at places d apart have the covariance
+ * exp (-(d / length)^2 / 2). */
+class Waves {
+public:
+  Waves(double length, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> number(0, 1 / length);
+    std::uniform_real_distribution<double> phase(0, 2 * M_PI);
+    for (Eigen::Vector3d& wave : waves_)
+      wave = {number(random), number(random), phase(random)};
+  }
+
+  double operator()(double a, double b) const
+  {
+    double sum = 0;
+    for (const Eigen::Vector3d& wave : waves_)
+      sum += std::cos(wave.x() * a + wave.y() * b + wave.z());
+    return sum * std::sqrt(2.0 / static_cast<double>(waves_.size()));
+  }
+
+private:
+  std::array<Eigen::Vector3d, 100> waves_;
+};
+
+TEST(PlanAccuracy, OfNoiseAloneErrorsAreThoseOfTheStandardErrors)
+{
+  WithinErrors walls;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    RoomPoints raw(0.09, 0.02, seed);
+    raw.room(obliqueRoom());
+    const Floorplan plan = fitAndAdd(raw.view(), seed, walls);
+    for (const PlanElement& wall : plan.rooms[0].boundary.elements)
+      EXPECT_NEAR(wall.accuracy.deviation_95, 1.96 * 0.02, 0.004);
+    EXPECT_NEAR(plan.rooms[0].floor.accuracy.deviation_95, 1.96 * 0.02, 0.004);
+  }
+  walls.areThoseOfANormalDistribution();
+}
+
+TEST(PlanAccuracy, ErrorsThatNeighbouringPointsShareAreInTheStandardErrors)
+{
+  // 32,000 points of 4 mm would show a wall to 0.04 mm; their shared errors move it by
+  // millimetres. Standard errors may be too large, as the correlation is taken to fall
+  // exponentially.
+  const PlanLoop boundary = obliqueRoom().boundary;
+  for (const double length : {0.15, 0.4}) {
+    SCOPED_TRACE(testing::Message() << length << " m");
+    WithinErrors walls;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      RoomPoints raw(0.05, 0.002, seed);
+      raw.room(obliqueRoom());
+      std::vector<Waves> waves;
+      for (unsigned surface = 0; surface < 6; ++surface)
+        waves.emplace_back(length, 10 * seed + surface);
+      std::vector<Eigen::Vector3f> points;
+      for (const int i : raw.all()) {
+        Vector3d p = raw[i].cast<double>();
+        const std::size_t wall = boundary.nearest(p.head<2>());
+        if (boundary.elements[wall].distance(p.head<2>()) > 0.02)
+          p.z() += 0.004 * waves[p.z() < 1 ? 4 : 5](p.x(), p.y());
+        else
+          p.head<2>() +=
+              0.004 * waves[wall](boundary.elements[wall].project(p.head<2>()), p.z()) *
+              boundary.elements[wall].normalAt(0);
+        points.push_back(p.cast<float>());
+      }
+      fitAndAdd(PointView(points.data(), sizeof(Eigen::Vector3f), points.size()), seed,
+                walls);
+    }
+    EXPECT_GT(walls.shares[1] / walls.count, 0.94);
+    EXPECT_GT(walls.rms(), 0.0003);
+    EXPECT_LT(walls.standard_errors / walls.count, 4 * walls.rms());
+  }
+}
+
+TEST(PlanAccuracy, WhatNoPointShowsHasNone)
+{
+  RoomPoints raw(0.02, 0.003);
+  raw.room(plainRoom(), [](const Vector3d& p) { return p.y() > 1e-9; });
+  Floorplan plan = offPlan(plainRoom(), 0.01);
+  adjustPlan(plan, raw.view());
+  const auto& walls = plan.rooms[0].boundary.elements;
+  for (std::size_t wall = 0; wall < walls.size(); ++wall)
+    EXPECT_EQ(walls[wall].accuracy.isKnown(), wall != 0) << wall;
+  EXPECT_TRUE(plan.rooms[0].floor.accuracy.isKnown());
+}
+
+TEST(PlanAccuracy, ABoardOnAWallIsInItsDeviationAndNotInItsPlace)
+{
+  // A tenth of the wall is covered by a board of 3 cm.
+  RoomPoints even(0.02, 0.002);
+  even.room(plainRoom());
+  std::vector<Eigen::Vector3f> points;
+  for (const int i : even.all()) {
+    Eigen::Vector3f p = even[i];
+    if (p.x() > 3.98F && p.z() > 1 && p.z() < 1.5F && p.y() > 0.8F && p.y() < 2.4F)
+      p.x() -= 0.03F;
+    points.push_back(p);
+  }
+  Floorplan plan = offPlan(plainRoom(), 0.005);
+  adjustPlan(plan, PointView(points.data(), sizeof(Eigen::Vector3f), points.size()));
+  const auto& walls = plan.rooms[0].boundary.elements;
+  EXPECT_NEAR(walls[1].start.x(), 4, 0.0005);
+  EXPECT_NEAR(walls[1].accuracy.deviation_95, 0.03, 0.004);
+  EXPECT_NEAR(walls[3].accuracy.deviation_95, 0.004, 0.001);
+}
+
+} // namespace
