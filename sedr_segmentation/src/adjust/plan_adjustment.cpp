@@ -186,4 +186,46 @@ adjustPlan(Floorplan& plan,
   return report;
 }
 
+void
+stateSlabs(Floorplan& plan,
+           const PointView& raw,
+           const std::vector<int>& indices,
+           const AdjustmentParameters& parameters)
+{
+  Floorplan part; // the rooms with such slabs
+  for (const PlanRoom& room : plan.rooms) {
+    const auto isUnstated = [](const PlanSlab& slab) {
+      return !slab.curve && !slab.accuracy.isKnown();
+    };
+    const auto hasUnstated = [&](const PlanDetail& d) { return isUnstated(d.slab); };
+    const auto hasAny = [&](const std::vector<PlanDetail>& details) {
+      return std::any_of(details.begin(), details.end(), hasUnstated);
+    };
+    if (isUnstated(room.floor) || isUnstated(room.ceiling) || hasAny(room.details) ||
+        hasAny(room.floor_details))
+      part.rooms.push_back(room);
+  }
+  PlanUnknowns unknowns(part, parameters);
+  if (part.rooms.empty() || !emptyLoop(unknowns, part).empty())
+    return;
+  const PatchPoints points(part, unknowns, raw, indices, parameters);
+  if (!points.problem().empty())
+    return;
+  std::vector<Unknown> given = unknowns.all;
+  SurfaceFit(unknowns, points, parameters).run();
+  measureDeviations(points, parameters, given);
+  for (const UnknownSlab& s : unknowns.slabs) {
+    Unknown& fitted = unknowns.all[s.unknown];
+    if (s.slab->curve || s.slab->accuracy.isKnown() || !fitted.isSeen())
+      continue;
+    limitInformation(parameters, fitted);
+    fitted.covariance = fitted.information.inverse();
+    const double off = fitted.height - given[s.unknown].height;
+    s.slab->accuracy = {std::hypot(fitted.accuracyAt(fitted.point).standard_error, off),
+                        given[s.unknown].deviation};
+  }
+  for (PlanRoom& room : part.rooms)
+    *findRoom(plan, room.id) = std::move(room);
+}
+
 } // namespace pcl::sedr

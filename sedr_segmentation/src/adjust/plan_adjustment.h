@@ -100,4 +100,13 @@ AdjustmentReport adjustPlan(Floorplan& plan,
                             const std::vector<int>& indices = {},
                             const AdjustmentParameters& parameters = {});
 
+/** @brief States the accuracy of planes of floors and ceilings that adjustPlan() did
+ * not place, such as slopes and parts of them that were fitted alone. They stay: their
+ * distance from where all patches put them is an error of theirs.
+ * @param raw, indices, parameters as of adjustPlan() */
+void stateSlabs(Floorplan& plan,
+                const PointView& raw,
+                const std::vector<int>& indices = {},
+                const AdjustmentParameters& parameters = {});
+
 } // namespace pcl::sedr

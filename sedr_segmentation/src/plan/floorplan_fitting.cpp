@@ -147,6 +147,7 @@ fitFloorplan(const PlanInput& input,
   }
   dropSharedNiches(plan);
   giveCeilings(std::move(sheets), scan, of_scan, parameters.threads, plan);
+  stateSlabs(plan, scan, of_scan, adjustment);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);

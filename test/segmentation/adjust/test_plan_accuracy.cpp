@@ -145,6 +145,26 @@ TEST(PlanAccuracy, WhatNoPointShowsHasNone)
   EXPECT_TRUE(plan.rooms[0].floor.accuracy.isKnown());
 }
 
+TEST(PlanAccuracy, SlabsThatWereFittedElsewhereAreMeasured)
+{
+  PlanRoom room = plainRoom();
+  room.ceiling = slabAt(2.6, 0.1);
+  room.details.push_back(detailOf(rectangle(0, 0, 4, 0.8), 2.3));
+  RoomPoints raw(0.04, 0.005);
+  raw.room(room);
+  Floorplan plan{{room}};
+  plan.rooms[0].details[0].slab = slabAt(2.304);
+  plan.rooms[0].floor.accuracy = {0.001, 0.002}; // known
+  stateSlabs(plan, raw.view());
+  EXPECT_EQ(plan.rooms[0].floor.accuracy.standard_error, 0.001);
+  EXPECT_LT(plan.rooms[0].ceiling.accuracy.standard_error, 0.0008);
+  EXPECT_NEAR(plan.rooms[0].ceiling.accuracy.deviation_95, 1.96 * 0.005, 0.002);
+  const SurfaceAccuracy& off = plan.rooms[0].details[0].slab.accuracy;
+  EXPECT_NEAR(off.standard_error, 0.004, 0.0005);
+  EXPECT_NEAR(off.deviation_95, 0.014, 0.002); // 4 mm, noise, and the riser beside it
+  EXPECT_EQ(plan.rooms[0].details[0].slab.heightAt({1, 1}), 2.304) << "it stays";
+}
+
 TEST(PlanAccuracy, ABoardOnAWallIsInItsDeviationAndNotInItsPlace)
 {
   // A tenth of the wall is covered by a board of 3 cm.
