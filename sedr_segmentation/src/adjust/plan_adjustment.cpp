@@ -103,7 +103,6 @@ measureDeviations(const PatchPoints& points,
                   const AdjustmentParameters& parameters,
                   std::vector<Unknown>& unknowns)
 {
-  constexpr double share = 0.95;
   parallelBlocks(
       unknowns.size(), 1, parameters.threads, [&](std::size_t u, std::size_t) {
         std::vector<Weighted> distances;
@@ -117,7 +116,7 @@ measureDeviations(const PatchPoints& points,
           for (std::size_t k = before; k < distances.size(); ++k)
             distances[k].second = 1 / static_cast<double>(distances.size() - before);
         }
-        unknowns[u].deviation = weightedQuantile(std::move(distances), share);
+        unknowns[u].deviation = weightedQuantile(std::move(distances), 0.95);
       });
 }
 

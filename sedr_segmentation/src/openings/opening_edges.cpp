@@ -39,13 +39,12 @@ edgeAt(double position,
        double middle,
        double accuracy)
 {
-  constexpr double share = 0.95;
   std::vector<double> off;
   for (const double at : shown)
     off.push_back(std::abs(at - middle));
   std::sort(off.begin(), off.end());
   const auto n = static_cast<double>(off.size());
-  const auto last = static_cast<std::size_t>(std::ceil(share * n)) - 1;
+  const auto last = static_cast<std::size_t>(std::ceil(0.95 * n)) - 1;
   const double deviation = off[last];
   return {position, 1.48 * middleValue(std::move(off)) / std::sqrt(n) + accuracy,
           deviation};
