@@ -81,6 +81,17 @@ TEST_P(OpeningsInNoise, WindowToTheOutside)
   EXPECT_NEAR(found.top, window.top, 0.01);
 }
 
+TEST(OpeningDetection, SmallWindowOfWhichNothingWasSeen)
+{
+  const Cut small{2, 2.45, 1.5, 1.95};
+  TwoRooms scene(0.005);
+  scene.scanOuterWall({}, {small});
+  const PlanOpening found = openingOf(scene, OpeningKind::Window);
+  EXPECT_NEAR(found.width(), 0.45, 0.03);
+  EXPECT_NEAR(found.bottom, small.bottom, 0.02);
+  EXPECT_NEAR(found.top, small.top, 0.02);
+}
+
 TEST(OpeningDetection, WindowWithItsBlindDown)
 {
   TwoRooms scene(0.005);
