@@ -153,10 +153,10 @@ openingGains(const WallMap& map,
   gains.min_rows = cellsIn(sizes.min_height);
   const double floor = map.heightOf(0) + cell / 2;
   gains.prior = [weights, sizes, floor, &map](std::size_t a, std::size_t b) {
-    const double edges = 4 * static_cast<double>(b - a); // cells, of a square
+    const double edges = 4 * (map.heightOf(b) - map.heightOf(a)); // metres, of a square
     const bool is_on_floor = map.heightOf(a) < floor + sizes.on_floor;
     const bool is_low = map.heightOf(b) - map.heightOf(a) < sizes.min_head;
-    return weights.edges * std::log(edges) +
+    return weights.edges * std::log(edges / opening_numbers.edge_bin) +
            (is_on_floor && is_low ? weights.low_head : 0);
   };
   return gains;
