@@ -26,9 +26,6 @@ sentenceOf(const Floorplan& plan, const PlanOpening& opening)
 std::string
 misfitOf(const Floorplan& plan, const PlanOpening& opening)
 {
-  if (!(opening.width() > 0 && opening.height() > 0))
-    return formatText("an opening of %.3f x %.3f m is none", opening.width(),
-                      opening.height());
   for (const OpeningWall& in : opening.walls) {
     const PlanRoom& room = *findRoom(plan, in.room);
     const PlanElement& wall = room.boundary.elements[in.element];
@@ -67,12 +64,14 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
   const OpeningKind kind = to.kind.value_or(opening.kind);
   opening.number = kind == opening.kind ? opening.number : 0;
   opening.kind = kind;
+  const double width = to.width.value_or(opening.width());
+  const double height = to.height.value_or(opening.height());
+  if (!(width > 0 && height > 0))
+    return formatText("an opening of %.3f x %.3f m is none", width, height);
   const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
-  const Eigen::Vector2d half = to.width.value_or(opening.width()) / 2 *
-                               (opening.end - opening.start).normalized();
+  const Eigen::Vector2d half = width / 2 * (opening.end - opening.start).normalized();
   opening.start = middle - half;
   opening.end = middle + half;
-  const double height = to.height.value_or(opening.height());
   opening.bottom += to.sill ? *to.sill - sillOf(plan, opening) : 0;
   opening.top = opening.bottom + height;
   opening.rise = std::min(opening.rise, height);

@@ -318,6 +318,9 @@ TEST(PlanEditor, AnOpeningGetsAnotherSizeAboutItsMiddle)
   EXPECT_FALSE(editor.setOpening("D1", change));
   EXPECT_EQ(editor.getErrorMessage(), "wall 1.2 reaches from z 0.000 to 2.500 m, the "
                                       "opening would from 1.500 to 2.700 m");
+  change.width = -0.8;
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getErrorMessage(), "an opening of -0.800 x 1.200 m is none");
 }
 
 TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)
