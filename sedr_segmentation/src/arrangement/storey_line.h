@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../faces/storeys.h"
-#include "face_proposals.h"
+#include "../proposals/face_proposals.h"
 
 #include "sedr_filters/src/grids/cell_mask.h"
 

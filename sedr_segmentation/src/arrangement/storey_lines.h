@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "face_curves.h"
+#include "../proposals/face_curves.h"
 #include "storey_line.h"
 
 #include <vector>

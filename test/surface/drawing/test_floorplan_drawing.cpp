@@ -126,56 +126,6 @@ TEST(FloorplanDrawing, TheTitleBlockIsFilled)
     EXPECT_TRUE(holds(svg, text)) << text;
 }
 
-TEST(FloorplanDrawing, CrumbsHaveNoDimension)
-{
-  DrawingSettings settings;
-  settings.scale = 1; // there is space for each
-  const auto lengths = [&](double step) {
-    const PlanDrawing drawing(
-        planOf(polygon({{0, 0}, {1, 0}, {1, step}, {2, step}, {2, 1}, {0, 1}})),
-        settings, 0);
-    std::size_t count = 0;
-    for (const auto* dimensions : {&drawing.dimensions, &drawing.texts.walls})
-      for (const SheetDimension& dimension : *dimensions)
-        count += std::abs(dimension.length - step) < 1e-9;
-    return count;
-  };
-  EXPECT_EQ(lengths(0.049), 0u);
-  EXPECT_GT(lengths(0.051), 0u);
-}
-
-TEST(FloorplanDrawing, EveryDimensionHasItsLength)
-{
-  // Pilasters of 0.6 m every 1.2 m along a wall: at 1:500 no length of one fits.
-  Corners corners;
-  for (int k = 0; k < 20; ++k)
-    for (const Eigen::Vector2d& p :
-         {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.6, 0), Eigen::Vector2d(0.6, 0.3),
-          Eigen::Vector2d(1.2, 0.3)})
-      corners.emplace_back(p.x() + 1.2 * k, p.y());
-  corners.emplace_back(24, 10);
-  corners.emplace_back(0, 10);
-  for (const double scale : {50.0, 200.0, 500.0}) {
-    double across = 0;
-    for (const SheetDimension& d :
-         PlanDrawing(planOf(polygon(corners)), scaled(scale), 0).dimensions) {
-      EXPECT_TRUE(d.text) << "1:" << scale;
-      across += d.start.y() == d.end.y() ? d.length : 0;
-    }
-    EXPECT_NEAR(std::remainder(across, 24), 0, 0.31) << "rows of the whole length";
-  }
-}
-
-TEST(FloorplanDrawing, TheOverallDimensionIsOfTheRoomsWithoutTheirNiches)
-{
-  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
-  plan.rooms[0].niches = {{rectangle(6, 1, 6.3, 2), slabAt(1), slabAt(2)}};
-  double longest = 0;
-  for (const SheetDimension& d : PlanDrawing(plan, scaled(50), 0).dimensions)
-    longest = std::max(longest, d.length);
-  EXPECT_NEAR(longest, 6, 1e-9);
-}
-
 TEST(FloorplanDrawing, TheSheetHoldsTheRevealsOfOpenings)
 {
   Floorplan plan = planOf(rectangle(0, 0, 4, 3));
@@ -195,38 +145,6 @@ TEST(FloorplanDrawing, AHeightBelowTheFloorIsNotPrinted)
   plan.rooms[0].details.clear();
   plan.rooms[0].ceiling = slabAt(-0.1);
   EXPECT_FALSE(holds(floorplanToSvg(plan), ">h "));
-}
-
-TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
-{
-  // A step of 1 m in the lower wall, which is hidden from above.
-  const Floorplan plan = planOf(
-      {{segment({0, 0}, {4, 0}), segment({4, 0}, {4, 1}), segment({4, 1}, {6, 1}),
-        segment({6, 1}, {6, 5}), segment({6, 5}, {0, 5}), segment({0, 5}, {0, 0})}});
-  std::vector<double> below;
-  const PlanDrawing drawing(plan, scaled(50), 0);
-  for (const SheetDimension& d : drawing.dimensions)
-    if (d.start.y() == d.end.y() && d.start.y() < drawing.layout.frame.shift.y())
-      below.push_back(std::round(100 * d.length) / 100);
-  EXPECT_EQ(below, (std::vector<double>{4, 2, 6}));
-}
-
-TEST(FloorplanDrawing, ChainsMeasureTheWallsBesideThemOnAnyPaper)
-{
-  // The wall between the lower rooms and the upper one is 2 cm thinner on the right.
-  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5),
-                        roomOf(rectangle(4.24, 0, 8, 3.02), 2.5, 2),
-                        roomOf(rectangle(0, 3.26, 8, 5), 2.5, 3)}};
-  for (const double scale : {20.0, 50.0, 100.0}) {
-    std::array<std::vector<double>, 2> sides; // left and right, from below
-    const PlanDrawing drawing(plan, scaled(scale), 0);
-    const double middle = drawing.layout.frame(Eigen::Vector2d(4, 0)).x();
-    for (const SheetDimension& d : drawing.dimensions)
-      if (d.start.x() == d.end.x() && d.length < 5)
-        sides[d.start.x() < middle ? 0 : 1].push_back(std::round(100 * d.length) / 100);
-    EXPECT_EQ(sides[0], (std::vector<double>{3, 0.26, 1.74})) << "1:" << scale;
-    EXPECT_EQ(sides[1], (std::vector<double>{3.02, 0.24, 1.74})) << "1:" << scale;
-  }
 }
 
 TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
@@ -334,29 +252,6 @@ TEST(FloorplanDrawing, WallsHaveNumbersOnlyIfAskedFor)
   EXPECT_TRUE(holds(floorplanToSvg(plan, settings), ">1.3<"));
 }
 
-TEST(FloorplanDrawing, OuterOpeningsHaveAChainOfTheirOwn)
-{
-  // Windows of two walls; one more, below, looks at another room.
-  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
-  plan.rooms.push_back(roomOf(rectangle(0, -3, 4, -2), 2.5, 2));
-  plan.openings = {
-      {OpeningKind::Window, {1, 0}, {{1, 0}}, {1, -0.1}, {3, -0.1}, 1, 2, 0, 0.2},
-      {OpeningKind::Window, {1, 0}, {{1, 0}}, {6, -0.1}, {7, -0.1}, 1, 2, 0, 0.2},
-      {OpeningKind::Door, {1, 0}, {{1, 1}}, {8.1, 2}, {8.1, 3}, 0, 2, 0, 0.2}};
-  const PlanDrawing drawing(plan, scaled(50), 0);
-  std::map<double, std::vector<double>> below; // by height on the sheet
-  std::vector<double> right;
-  for (const SheetDimension& d : drawing.dimensions) {
-    if (d.start.y() == d.end.y())
-      below[d.start.y()].push_back(std::round(100 * d.length) / 100);
-    else if (d.start.x() > drawing.layout.frame(Eigen::Vector2d(8, 0)).x())
-      right.push_back(std::round(100 * d.length) / 100);
-  }
-  ASSERT_FALSE(below.empty());
-  EXPECT_EQ(below.rbegin()->second, (std::vector<double>{6, 1, 1})) << "nearest";
-  EXPECT_EQ(right, (std::vector<double>{5, 1, 3}));
-}
-
 TEST(FloorplanDrawing, TextsWithoutSpaceAreLeftOut)
 {
   const std::string closet =
@@ -388,61 +283,6 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.2000000\n20\n-1.2000000\n"));
   EXPECT_TRUE(holds(dxf, "\nattic\n"));
   EXPECT_FALSE(holds(dxf, "Room 1\n"));
-}
-
-DrawingSettings
-ofCeiling()
-{
-  DrawingSettings settings;
-  settings.view = DrawingView::Ceiling;
-  settings.scale = 50;
-  return settings;
-}
-
-TEST(CeilingPlan, HasTheHeightsAndAreasOfTheSolid)
-{
-  // A beam and a coffer, a roof, and a barrel vault.
-  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
-  plan.rooms[0].details = {detailOf(rectangle(0, 4, 8, 4.4), 2.2),
-                           detailOf(rectangle(2, 1, 6, 3), 2.76)};
-  plan.rooms.push_back(roomOf(rectangle(9, 0, 15, 6), 0, 2));
-  plan.rooms[1].ceiling = slabAt(2 - 9 * 0.5, 0.5);
-  plan.rooms.push_back(roomOf(rectangle(16, 0, 22, 6), 0, 3));
-  SlabCurve vault;
-  vault.centre = {16, 3};
-  vault.base = 2;
-  vault.across = vault.up = 3;
-  plan.rooms[2].ceiling.curve = std::make_shared<SlabCurve>(vault);
-  const std::string svg = floorplanToSvg(plan, ofCeiling());
-  double area = 0;
-  for (const PlanRoom& room : plan.rooms) {
-    TriangleMesh solid;
-    std::vector<SolidElement> elements;
-    const double of_room = extrudeRoom(room, {}, solid, elements).ceiling_area;
-    EXPECT_TRUE(holds(svg, ">ceiling " + decimalText(of_room, 2) + " m²<"));
-    area += of_room;
-  }
-  EXPECT_TRUE(holds(svg, ">3 rooms, " + decimalText(area, 2) + " m²<"));
-  for (const char* text : {">2.50<", ">2.20<", ">2.76<", ">26.6°<", ">eaves 2.00<",
-                           ">h 2.00 - 5.00 m<", ">3.50<", ">Reflected ceiling plan<"})
-    EXPECT_TRUE(holds(svg, text)) << text;
-  const std::string dxf = floorplanToDxf(plan, ofCeiling());
-  EXPECT_NEAR(outlinedArea(dxf), 48 + 36 + 36, 1e-3) << "faces of the solid in plan";
-  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG"), 2u + 4u);
-  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-CNTR"), 2 * 5u) << "2.50 to 4.50";
-  EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-SLPE"), 3u);
-}
-
-TEST(CeilingPlan, TheWallGoesOnAboveOpeningsButThoseUpToTheCeiling)
-{
-  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
-  for (const double top : {2.0, 2.5}) {
-    plan.openings = {
-        {OpeningKind::Door, {1, 0}, {{1, 0}}, {3, -0.1}, {2, -0.1}, 0, top, 0, 0.2}};
-    const PlanDrawing drawing(plan, ofCeiling(), 0);
-    ASSERT_EQ(drawing.openings.size(), 1u);
-    EXPECT_EQ(linesOf(drawing.openings[0]).size(), top < 2.5 ? 4u : 2u);
-  }
 }
 
 TEST(FloorplanDxf, HasArcsCirclesAndDetails)

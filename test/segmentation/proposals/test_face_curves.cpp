@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../plan_loops.h"
-#include "sedr_segmentation/src/arrangement/face_curves.h"
+#include "sedr_segmentation/src/proposals/face_curves.h"
 
 #include <gtest/gtest.h>
 

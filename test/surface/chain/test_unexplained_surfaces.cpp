@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "building_of_two_rooms.h"
+
+#include "sedr_surface/src/chain/unexplained_surfaces.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
+{
+  Building building = buildingOfTwoRooms();
+  const Floorplan plan{{planned(1, 0, 4), planned(2, 5, 7)}};
+  const Cloud none;
+  EXPECT_TRUE(unexplainedSurfaces(PointView(none), building, plan).empty());
+  // A pit of 1 m x 1 m, 0.4 m deep; a table of 3 m x 1 m; a lamp of 10 cm.
+  for (RoomColumn& column : building.rooms[0].columns) {
+    const Eigen::Vector2d at = building.grid.centre(column.cell);
+    if ((at - Eigen::Vector2d(2, 1.5)).lpNorm<Eigen::Infinity>() < 0.5)
+      column.floor = -0.4F;
+    if (at.y() > 2 && at.x() < 3.5)
+      column.floor = 0.7F;
+    if ((at - Eigen::Vector2d(1.05, 1.05)).norm() < 0.01)
+      column.ceiling = 2;
+  }
+  auto found = unexplainedSurfaces(PointView(none), building, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
+  EXPECT_NEAR(found[0].values[0], 1, 1e-9);
+  EXPECT_NEAR((found[0].at - Eigen::Vector2d(2, 1.5)).norm(), 0, 1e-6);
+  EXPECT_EQ(sentenceOf(found[0]),
+            "room 1: 1.0 m2 of its floor, at -0.40 to -0.40 m from "
+            "its main floor, are more than 10 cm off the model");
+  // What is larger than a table is a stage.
+  for (RoomColumn& column : building.rooms[0].columns)
+    column.floor = building.grid.centre(column.cell).y() > 1.2 ? 0.7F : 0;
+  found = unexplainedSurfaces(PointView(none), building, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].values[0], 3.6 * 1.6, 0.5) << "but for the edge";
+  // So is what hides more of the floor.
+  for (RoomColumn& column : building.rooms[0].columns) {
+    column.floor_seen = column.floor == 0;
+    column.floor = 0;
+  }
+  found = unexplainedSurfaces(PointView(none), building, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::FloorUnseen);
+  EXPECT_NEAR(found[0].values[0], 3.6 * 1.6, 0.5) << "but for the edge";
+}
+
+/** @brief Points every 5 cm on a rectangle from `corner` along `u` and `v`. */
+void
+addRectangle(const Eigen::Vector3f& corner,
+             const Eigen::Vector3f& u,
+             const Eigen::Vector3f& v,
+             Cloud& cloud)
+{
+  for (float a = 0.025F; a < u.norm(); a += 0.05F)
+    for (float b = 0.025F; b < v.norm(); b += 0.05F) {
+      const Eigen::Vector3f p = corner + a * u.normalized() + b * v.normalized();
+      cloud.push_back({p.x(), p.y(), p.z()});
+    }
+}
+
+std::vector<PlanWarning>
+unexplained(const Cloud& cloud, const Floorplan& plan)
+{
+  return unexplainedSurfaces(PointView(cloud), buildingOfTwoRooms(), plan);
+}
+
+/** @brief Returns the walls of planned(1, 0, 4), 3 m deep: what of that at x = 0 has y
+ * from 1 to 2 m and z from 0.5 to 2 m lies at x = `back`. */
+Cloud
+recessedRoom(float back)
+{
+  Cloud cloud;
+  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 2, 0}, {0, 1, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 1, 0}, {0, 1, 0}, {0, 0, 0.5F}, cloud);
+  addRectangle({0, 1, 2}, {0, 1, 0}, {0, 0, 0.5F}, cloud);
+  addRectangle({back, 1, 0.5F}, {0, 1, 0}, {0, 0, 1.5F}, cloud);
+  return cloud;
+}
+
+TEST(UnexplainedSurfaces, AreSeenBehindAWall)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  EXPECT_TRUE(unexplained(recessedRoom(0.04F), plan).empty()) << "noise";
+  for (const float back : {-0.07F, -0.5F}) {
+    const auto found = unexplained(recessedRoom(back), plan);
+    ASSERT_EQ(found.size(), 1u) << back;
+    EXPECT_EQ(found[0].kind, WarningKind::WallOff);
+    EXPECT_EQ(found[0].room, 1u);
+    EXPECT_EQ(found[0].wall, 4u);
+    EXPECT_NEAR(found[0].values[0], 1.5, 1e-6);
+    EXPECT_NEAR(found[0].values[1], 100 * back, 1e-3);
+    EXPECT_NEAR((found[0].at - Eigen::Vector2d(0, 1.5)).norm(), 0, 1e-6);
+  }
+  EXPECT_EQ(sentenceOf(unexplained(recessedRoom(-0.07F), plan)[0]),
+            "wall 1.4: 1.5 m2 of what was seen there lie 7 cm behind it");
+  plan.openings.resize(1);
+  plan.openings[0].walls = {{1, 3}};
+  plan.openings[0].start = {0, 1};
+  plan.openings[0].end = {0, 2};
+  plan.openings[0].bottom = 0.5;
+  plan.openings[0].top = 2;
+  EXPECT_TRUE(unexplained(recessedRoom(-0.5F), plan).empty()) << "in a window";
+  plan.openings.clear();
+  plan.rooms.push_back(planned(2, -2, -0.15));
+  EXPECT_TRUE(unexplained(recessedRoom(-0.5F), plan).empty()) << "in another room";
+}
+
+TEST(UnexplainedSurfaces, AreBeforeAWallIfTheyAreMuchAndNoFurniture)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  const auto found = unexplained(recessedRoom(0.08F), plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].values[0], 1.5, 1e-6) << "2.5 % of all surfaces";
+  EXPECT_NEAR(found[0].values[1], 8, 1e-3);
+  EXPECT_TRUE(unexplained(recessedRoom(0.3F), plan).empty()) << "a cupboard";
+}
+
+TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  addRectangle({-0.03F, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty());
+  addRectangle({-0.3F, 0, 2.48F}, {0.3F, 0, 0}, {0, 3, 0}, cloud);
+  const auto found = unexplained(cloud, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].wall, 4u) << "it is a cupboard up to the ceiling";
+  EXPECT_NEAR(found[0].values[0], 3 * 0.25, 0.2);
+  EXPECT_LT(found[0].values[1], 0);
+}
+
+TEST(UnexplainedSurfaces, AreCeilingsOfWhichAGapAboveCupboardsShowsLittle)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float depth : {0.08F, 0.05F})
+    for (const float length : {3.0F, 0.8F, 0.4F}) {
+      Cloud cloud = recessedRoom(0);
+      addRectangle({-depth, 0, 2.48F}, {depth, 0, 0}, {0, length, 0}, cloud);
+      const auto found = unexplained(cloud, plan);
+      ASSERT_EQ(found.size(), length > 0.5F ? 1u : 0u) << depth << ' ' << length;
+      if (!found.empty()) {
+        EXPECT_EQ(found[0].wall, 4u) << "it is none, all the way down";
+      }
+    }
+}
+
+TEST(UnexplainedSurfaces, AreNotTheOtherFaceOfAThinPartitionAndTheCeilingBehindIt)
+{
+  const Floorplan plan{{planned(1, 0, 4), planned(2, 4.045, 7)}};
+  Cloud cloud = recessedRoom(0);
+  addRectangle({4.045F, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({4.02F, 0, 2.5F}, {2.9F, 0, 0}, {0, 3, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty());
+}
+
+TEST(UnexplainedSurfaces, AreFloorAndCeilingOfASecondScanThatDoesNotFit)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  addRectangle({0, 0, 2.7F}, {4, 0, 0}, {0, 3, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty()) << "a void above a ceiling";
+  addRectangle({0, 0, -0.2F}, {4, 0, 0}, {0, 3, 0}, cloud);
+  const auto found = unexplained(cloud, plan);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
+  EXPECT_EQ(found[1].kind, WarningKind::CeilingOff);
+  for (const PlanWarning& warning : found) {
+    EXPECT_NEAR(warning.values[0], 12, 1.5);
+    EXPECT_NEAR(warning.values[1], warning.kind == WarningKind::FloorOff ? -0.2 : 2.7,
+                1e-3);
+  }
+}
+
+TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float top : {1.9F, 2.5F}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({1, 1, 0}, {0.4F, 0, 0}, {0, 0, top}, cloud);
+    addRectangle({1, 1.4F, 0}, {0.4F, 0, 0}, {0, 0, top}, cloud);
+    addRectangle({1, 1, 0}, {0, 0.4F, 0}, {0, 0, top}, cloud);
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), top < 2 ? 0u : 1u);
+    if (!found.empty()) {
+      EXPECT_EQ(found[0].kind, WarningKind::Standing);
+      EXPECT_NEAR(found[0].values[0], 3 * 0.4 * 2.5, 0.7);
+      EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.15, 1.2)).norm(), 0, 0.1);
+    }
+  }
+}
+
+TEST(UnexplainedSurfaces, AreHalfWallsButNoFurniture)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud bare = recessedRoom(0);
+  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 3, 0}, bare);
+  for (const float thick : {0.1F, 0.22F, 0.4F})
+    for (const float top : {0.7F, 1.1F, 1.9F, 2.45F}) {
+      Cloud cloud = bare;
+      for (const float side : {-thick / 2, thick / 2})
+        addRectangle({1, 1.5F + side, 0}, {1.6F, 0, 0}, {0, 0, top}, cloud);
+      for (const float end : {1.01F, 2.59F})
+        addRectangle({end, 1.5F - thick / 2, 0}, {0, thick, 0}, {0, 0, top}, cloud);
+      const auto found = unexplained(cloud, plan);
+      const bool is_half_wall = thick < 0.3F && top > 1 && top < 2;
+      const auto told = std::count_if(found.begin(), found.end(), [](const auto& w) {
+        return w.kind == WarningKind::HalfWall;
+      });
+      ASSERT_EQ(told, is_half_wall ? 1 : 0) << thick << " x " << top;
+      if (is_half_wall) {
+        EXPECT_NEAR(found[0].values[0], 1.6, 0.15);
+        EXPECT_NEAR(found[0].values[1], top, 0.1);
+        EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.8, 1.5)).norm(), 0, 0.1);
+      }
+    }
+}
+
+TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(0, 2, 4, 3), 2.15)};
+  Cloud cloud;
+  addRectangle({0, 1.99F, 2.15F}, {4, 0, 0}, {0, 0, 0.35F}, cloud);
+  addRectangle({1, 2.02F, 0}, {1, 0, 0}, {0, 0, 1.9F}, cloud);
+  addRectangle({1, 2.02F, 0}, {0, 0.7F, 0}, {0, 0, 1.9F}, cloud);
+  for (const PlanWarning& warning : unexplained(cloud, plan))
+    EXPECT_NE(warning.kind, WarningKind::Standing);
+}
+
+/** @brief Points every 5 cm on the four walls of planned(1, 0, 4), 3 m deep, which the
+ * wall at x = 0 leaves by `lean` metres a metre of height, and on a cupboard before it.
+ */
+Cloud
+leaningRoom(float lean)
+{
+  Cloud cloud;
+  const Eigen::Vector3f up(2.5F * lean, 0, 2.5F);
+  addRectangle({0, 0, 0}, {0, 3, 0}, up, cloud);
+  addRectangle({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0.25F, 1, 0}, {0, 1, 0}, 0.7F * up, cloud);
+  addRectangle({0, 1, 0}, {0.25F, 0, 0}, 0.7F * up, cloud);
+  addRectangle({0, 2, 0}, {0.25F, 0, 0}, 0.7F * up, cloud);
+  return cloud;
+}
+
+TEST(UnexplainedSurfaces, AreWallsThatLeanAwayFromThePlan)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  EXPECT_TRUE(unexplained(leaningRoom(0), plan).empty());
+  for (const float lean : {0.05F, -0.05F}) { // 2.9 degrees: 12 cm at the top
+    const auto found = unexplained(leaningRoom(lean), plan);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, WarningKind::WallOff);
+    EXPECT_EQ(found[0].wall, 4u);
+    EXPECT_NEAR(found[0].values[0], 3 * 1.5, 0.9) << "more than 5 cm off above 1 m";
+    EXPECT_NEAR(found[0].values[1], 9 * (lean > 0 ? 1 : -1), 1);
+  }
+}
+
+TEST(UnexplainedSurfaces, AreClosetsBeyondADoor)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  plan.openings.resize(1);
+  plan.openings[0].kind = OpeningKind::Door;
+  plan.openings[0].rooms = {1, 0};
+  plan.openings[0].start = {4.05, 1};
+  plan.openings[0].end = {4.05, 1.8};
+  plan.openings[0].top = 2;
+  Building building = buildingOfTwoRooms();
+  building.left_out = {{LeftOutKind::Low, "small", 0.8, 0, 2.5, {4.6, 1.4}},
+                       {LeftOutKind::Open, "a lift", 2.5, 0, 2.5, {5.2, 1.4}},
+                       {LeftOutKind::Void, "a slab", 0.8, 0, 2.5, {4.6, 1.4}},
+                       {LeftOutKind::Low, "far", 0.8, 0, 2.5, {9, 1.4}}};
+  const auto found = unexplainedSurfaces(PointView(Cloud()), building, plan);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].kind, WarningKind::LeftOut);
+  EXPECT_EQ(found[0].reason, "small");
+  EXPECT_EQ(found[1].reason, "a lift");
+}
+
+} // namespace
