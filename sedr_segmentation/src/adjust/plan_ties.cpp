@@ -219,6 +219,8 @@ setCovariances(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
   const LinearTies linear = linearTies(ties, unknowns, information.diagonal());
   const Eigen::SimplicialLDLT<Sparse> solver(
       information + Sparse(Sparse(linear.slopes.transpose()) * linear.slopes));
+  if (solver.info() != Eigen::Success)
+    return;
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
     Eigen::MatrixXd units = Eigen::MatrixXd::Zero(information.rows(), 3);
     units.middleRows<3>(static_cast<Eigen::Index>(3 * u)).setIdentity();

@@ -145,6 +145,28 @@ TEST(PlanAccuracy, WhatNoPointShowsHasNone)
   EXPECT_TRUE(plan.rooms[0].floor.accuracy.isKnown());
 }
 
+TEST(PlanAccuracy, AShortWallIsAsSureAsTheLongOneInItsLine)
+{
+  // The top of the room is 0.6 m and, beyond a bay of another depth, 4 m long.
+  const auto errorOf = [](double shift) {
+    const PlanRoom room = roomOf(polygon({{0, 0},
+                                          {5.6, 0},
+                                          {5.6, 3},
+                                          {1.6, 3},
+                                          {1.6, 3.5},
+                                          {0.6, 3.5},
+                                          {0.6, 3 + shift},
+                                          {0, 3 + shift}}),
+                                 2.6);
+    RoomPoints raw(0.05, 0.01);
+    raw.room(room);
+    Floorplan plan = offPlan(room, 0.005);
+    adjustPlan(plan, raw.view());
+    return plan.rooms[0].boundary.elements[6].accuracy.standard_error;
+  };
+  EXPECT_LT(errorOf(0), 0.8 * errorOf(0.2));
+}
+
 TEST(PlanAccuracy, SlabsThatWereFittedElsewhereAreMeasured)
 {
   PlanRoom room = plainRoom();

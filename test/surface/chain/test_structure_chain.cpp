@@ -151,6 +151,7 @@ TEST(StructureChain, TheHighestRowOfASlopingCeilingIsNoLintel)
       ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
       EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 20, 0.05)
           << degrees << ' ' << spacing;
+      EXPECT_TRUE(chain.getModel().plan->rooms[0].ceiling.accuracy.isKnown());
       EXPECT_EQ(chain.getModel().plan->rooms[0].boundary.elements.size(), 4u)
           << degrees << ' ' << spacing;
     }
