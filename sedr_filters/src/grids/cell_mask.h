@@ -136,7 +136,8 @@ CellMask enclosedCells(const CellMask& mask);
 /** @brief Returns the union of `a` and `b`, in the box of `a`; boxes may differ. */
 CellMask unite(const CellMask& a, const CellMask& b);
 
-/** @brief Adds the cells of a mask to those in the box of `sum`. O(cells of both). */
+/** @brief Adds the cells of a mask that are in the box of `sum`. O(cells of both boxes'
+ * overlap). */
 void addCells(const CellMask& mask, CellMask& sum);
 
 /** @brief Returns `a` without `b`, in the box of `a`; boxes may differ. */

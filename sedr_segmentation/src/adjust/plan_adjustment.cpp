@@ -176,7 +176,7 @@ adjustPlan(Floorplan& plan,
       if (given[u].kind != UnknownKind::Plane)
         unknowns.all[u] = given[u];
   }
-  setCovariances(ties, unknowns.all);
+  setCovariances(ties, parameters.threads, unknowns.all);
   measureDeviations(points, parameters, unknowns.all);
   unknowns.write();
   for (const Unknown& u : unknowns.all)

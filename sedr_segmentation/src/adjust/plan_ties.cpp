@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_ties.h"
 
+#include "sedr_filters/src/base/parallel.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 
@@ -213,7 +215,9 @@ solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
 }
 
 void
-setCovariances(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
+setCovariances(const std::vector<PlanTie>& ties,
+               unsigned threads,
+               std::vector<Unknown>& unknowns)
 {
   const Sparse information = informationOf(unknowns);
   const LinearTies linear = linearTies(ties, unknowns, information.diagonal());
@@ -221,12 +225,19 @@ setCovariances(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
       information + Sparse(Sparse(linear.slopes.transpose()) * linear.slopes));
   if (solver.info() != Eigen::Success)
     return;
-  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+  std::vector<bool> is_tied(unknowns.size(), false);
+  for (const PlanTie& tie : ties)
+    is_tied[tie.a] = is_tied[tie.b] = true;
+  parallelBlocks(unknowns.size(), 1, threads, [&](std::size_t u, std::size_t) {
+    Unknown& unknown = unknowns[u];
+    unknown.covariance = unknown.information.inverse();
+    if (!is_tied[u])
+      return;
     Eigen::MatrixXd units = Eigen::MatrixXd::Zero(information.rows(), 3);
     units.middleRows<3>(static_cast<Eigen::Index>(3 * u)).setIdentity();
-    unknowns[u].covariance = Eigen::MatrixXd(solver.solve(units))
-                                 .middleRows<3>(static_cast<Eigen::Index>(3 * u));
-  }
+    unknown.covariance = Eigen::MatrixXd(solver.solve(units))
+                             .middleRows<3>(static_cast<Eigen::Index>(3 * u));
+  });
 }
 
 } // namespace pcl::sedr

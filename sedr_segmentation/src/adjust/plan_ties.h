@@ -57,8 +57,10 @@ std::vector<double> solveTies(const std::vector<PlanTie>& ties,
                               std::vector<Unknown>& unknowns);
 
 /** @brief Sets the covariance of the values of each unknown, given its information and
- * the ties that hold. */
-void setCovariances(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns);
+ * the ties that hold. O(tied unknowns x all). */
+void setCovariances(const std::vector<PlanTie>& ties,
+                    unsigned threads,
+                    std::vector<Unknown>& unknowns);
 
 /** @brief Chooses the ties that are more probable than chance. */
 std::vector<PlanTie> chooseTies(const PlanUnknowns& plan,

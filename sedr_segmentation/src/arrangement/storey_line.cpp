@@ -120,13 +120,8 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey)
     const RoomCells& room = storey.cells[r];
     for (const Eigen::Vector2d& p : room.wall_points)
       boxes_[r].extend(p);
-    CellMask opaque = subtract(room.solid, room.glass);
-    addCells(room.pillar, opaque);
-    CellMask part = room.base;
-    addCells(room.riser, part);
-    addCells(room.glass, part);
-    opaque_.push_back(near(opaque));
-    part_.push_back(near(part));
+    opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
+    part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
 }
 

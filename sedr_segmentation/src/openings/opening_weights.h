@@ -21,7 +21,8 @@ struct OpeningWeights {
   double unseen_edge = -4; ///< hidden, or nothing on both sides
   double no_edge = -10;    ///< the same on both sides, as inside of an opening
   // An opening.
-  double edges = -2;     ///< four edges, by BIC: for each log of the bins along them
+  double edges = -2;     ///< times ln(length of its four edges / edge_bin): the cost
+                         ///< of their places by BIC
   double arch = 8;       ///< cost of an arched head: top and rise, by BIC, and that
                          ///< most heads are flat
   double low_head = -15; ///< it stands on the floor, and nobody could walk through

@@ -168,6 +168,7 @@ SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
   const auto [found, is_new] = standing_[room].try_emplace(keyOf(cell));
   Standing& standing = found->second;
   if (is_new) {
+    standing.floor = rooms_[room].floorAt(tiles.centre(cell));
     standing.ceiling = infinite;
     for (const double x : {-1, 0, 1})
       for (const double y : {-1, 0, 1})
@@ -179,6 +180,9 @@ SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
   const double below = standing.ceiling - p.z();
   if (below > wall_tile && below < 64 * wall_tile)
     standing.heights |= std::uint64_t{1} << static_cast<unsigned>(below / wall_tile);
+  const double above = p.z() - standing.floor;
+  if (above > 0 && above < 64 * wall_tile)
+    standing.above |= std::uint64_t{1} << static_cast<unsigned>(above / wall_tile);
   standing.places += p.head<2>().homogeneous();
 }
 
@@ -217,14 +221,12 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   std::map<CellKey, Eigen::Vector3d> tops; // and their places
   std::vector<CellKey> around;             // a wall's two faces are one
   for (const auto& [key, standing] : standing_[room]) {
-    if (standing.heights == 0)
+    const int steps = standing.above == 0 ? 0 : 64 - __builtin_clzll(standing.above);
+    const double height = wall_tile * steps;
+    if (height < lowest || standing.ceiling - standing.floor - height < open_above ||
+        __builtin_popcountll(standing.above) < filled * steps)
       continue;
     const Eigen::Vector2d at = standing.places.hnormalized();
-    const double below = wall_tile * __builtin_ctzll(standing.heights);
-    const double height = standing.ceiling - below - rooms_[room].floorAt(at);
-    if (below < open_above || height < lowest ||
-        __builtin_popcountll(standing.heights) < filled * height / wall_tile - 1)
-      continue;
     tops.emplace(key, Eigen::Vector3d(at.x(), at.y(), height));
     for (const int x : {-1, 0, 1})
       for (const int y : {-1, 0, 1})

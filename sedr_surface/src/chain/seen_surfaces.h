@@ -64,10 +64,12 @@ private:
   std::vector<std::size_t> room_of_; ///< of each wall
   PlaceTable walls_near_;
   std::vector<std::pair<std::uint32_t, double>> beside_;
-  /** @brief What is seen below the ceiling in one cell of a room. */
+  /** @brief What is seen between floor and ceiling in one cell of a room. */
   struct Standing {
     double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
-    std::uint64_t heights = 0; ///< in steps of a cell below it, a bit each
+    double floor = 0;
+    std::uint64_t heights = 0; ///< in steps of a cell below the ceiling, a bit each
+    std::uint64_t above = 0;   ///< likewise above the floor
     Eigen::Vector3d places = Eigen::Vector3d::Zero(); ///< sums of x, y and 1
   };
   std::vector<std::map<CellKey, Standing>> standing_; ///< of each room

@@ -233,6 +233,22 @@ TEST(UnexplainedSurfaces, AreHalfWallsButNoFurniture)
     }
 }
 
+TEST(UnexplainedSurfaces, AreHalfWallsInHighHalls)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  plan.rooms[0].ceiling = slabAt(8);
+  Building building = buildingOfTwoRooms();
+  for (RoomColumn& column : building.rooms[0].columns)
+    column.ceiling = 8;
+  Cloud cloud;
+  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 3, 0}, cloud);
+  addRectangle({1, 1.5F, 0}, {1.6F, 0, 0}, {0, 0, 1.1F}, cloud);
+  const auto found = unexplainedSurfaces(PointView(cloud), building, plan);
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const auto& w) {
+    return w.kind == WarningKind::HalfWall && std::abs(w.values[1] - 1.1) < 0.1;
+  }));
+}
+
 TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)
 {
   Floorplan plan{{planned(1, 0, 4)}};
