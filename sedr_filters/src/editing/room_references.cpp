@@ -135,10 +135,10 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
   const auto removeIf = [](auto& list, const auto& goes) {
     list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
   };
-  removeIf(plan.openings, [&](PlanOpening& opening) {
-    removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
-    return opening.rooms[0] == opening.rooms[1] || opening.walls.empty();
-  });
+  for (PlanOpening& opening : plan.openings)
+    removeIf(opening.walls, [&](const OpeningWall& wall) {
+      return wall.room == 0 || opening.rooms[0] == opening.rooms[1];
+    });
   removeIf(plan.stairs, [](const PlanStair& stair) { return !stair.leadsSomewhere(); });
   for (PlanStorey& storey : plan.storeys)
     removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
@@ -151,9 +151,11 @@ attachOpenings(const Floorplan& before, Floorplan& plan)
   std::vector<std::string> told;
   const auto attach = [&](PlanOpening& opening) {
     const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
-    const std::string what = placeText(
-        opening.kind == OpeningKind::Unknown ? "opening" : nameOf(opening.kind),
-        middle);
+    const std::string what =
+        (opening.number == 0 ? "" : markOf(opening) + ": ") +
+        placeText(opening.kind == OpeningKind::Unknown ? "opening"
+                                                       : nameOf(opening.kind),
+                  middle);
     const std::vector<PlanElement> before_walls = wallsBefore(before, opening);
     std::vector<OpeningWall> walls;
     for (const OpeningWall& wall : opening.walls) {

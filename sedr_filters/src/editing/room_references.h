@@ -25,7 +25,7 @@ void forEachReference(
     const std::function<void(std::uint32_t&, const Eigen::Vector2d&)>& see);
 
 /** @brief Replaces a room's number in all that refers to rooms; 0: outside. What is
- * then on both sides of itself, or of no room, goes. */
+ * then on both sides of itself, or of no room, is in no wall, or goes. */
 void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
 
 /** @brief Finds the elements that openings are in again: the same ones, or those

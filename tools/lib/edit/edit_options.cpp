@@ -240,8 +240,10 @@ EditOptions::apply(PlanEditor& editor)
       if (!kind.apply(editor, rest))
         throw ToolError(option + edit + ": " + editor.getErrorMessage());
       done.push_back(editor.getSentence());
-      for (const std::string& warning : editor.getWarnings())
+      for (const std::string& warning : editor.getWarnings()) {
+        done.back() += "; " + warning;
         warn(option + edit + ": " + warning);
+      }
     }
   }
   return done;
