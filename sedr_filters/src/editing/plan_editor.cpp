@@ -67,25 +67,6 @@ changesOf(const Floorplan& before, const Floorplan& after)
   return text;
 }
 
-/** @brief Returns a loop whose elements end where another area begins or ends to touch
- * it. */
-PlanLoop
-cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places)
-{
-  PlanLoop cut;
-  for (const PlanElement& e : loop.elements) {
-    std::vector<double> ends{0, e.length()};
-    for (const Eigen::Vector2d& p : places)
-      if (e.distance(p) < touching)
-        ends.push_back(e.project(p));
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-      if (ends[k + 1] - ends[k] > touching)
-        cut.elements.push_back(ends.size() > 2 ? e.part(ends[k], ends[k + 1]) : e);
-  }
-  return cut;
-}
-
 /** @brief Returns what is between two rooms where they are the two sides of a wall. */
 std::vector<PlanLoop>
 wallsBetween(const Floorplan& plan,
@@ -147,8 +128,6 @@ addDetails(const PlanSlab& slab,
   if (is_other)
     details.push_back({of.boundary, {}, added_slab, true});
   details.insert(details.end(), added.begin(), added.end());
-  std::stable_partition(details.begin(), details.end(),
-                        [](const PlanDetail& d) { return d.is_facet; });
 }
 
 } // namespace
@@ -167,6 +146,8 @@ PlanEditor::apply(const std::function<std::string(Floorplan&)>& change)
         problem_ = "the outline of " + nameOf(r) + " then " + wrong;
   if (problem_.empty())
     problem_ = overlapProblem(plan_, changed);
+  if (problem_.empty())
+    continueSlabs(plan_, changed);
   if (!problem_.empty()) {
     sentence_.clear();
     return false;

@@ -289,6 +289,23 @@ commonArea(const PlanRoom& a, const PlanRoom& b)
   return static_cast<double>(bp::area(common)) * unit * unit;
 }
 
+PlanLoop
+cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places)
+{
+  PlanLoop cut;
+  for (const PlanElement& e : loop.elements) {
+    std::vector<double> ends{0, e.length()};
+    for (const Eigen::Vector2d& p : places)
+      if (e.distance(p) < touching)
+        ends.push_back(e.project(p));
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      if (ends[k + 1] - ends[k] > touching)
+        cut.elements.push_back(ends.size() > 2 ? e.part(ends[k], ends[k + 1]) : e);
+  }
+  return cut;
+}
+
 std::vector<PlanLoop>
 unionOf(const std::vector<PlanLoop>& areas)
 {

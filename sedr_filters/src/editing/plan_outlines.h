@@ -35,9 +35,16 @@ std::string meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop);
  * columns are no part of it. */
 double commonArea(const PlanRoom& a, const PlanRoom& b);
 
+/** @brief Returns a loop whose elements end where places touch it. */
+PlanLoop cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places);
+
 /** @brief Returns the outlines of some areas as one, counter-clockwise, and its holes,
  * clockwise. They consist of the elements of the areas, with all that these tell.
  * @param areas outlines and holes; where they touch, they have common ends */
 std::vector<PlanLoop> unionOf(const std::vector<PlanLoop>& areas);
+
+/** @brief Continues the parts of ceilings and floors into what rooms got beside them.
+ */
+void continueSlabs(const Floorplan& before, Floorplan& plan);
 
 } // namespace pcl::sedr

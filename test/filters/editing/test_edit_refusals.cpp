@@ -46,4 +46,27 @@ TEST(EditRefusals, OpeningsThatGoWithTheirWallsAreTold)
   EXPECT_EQ(dropped.getWarnings(), merged.getWarnings());
 }
 
+TEST(EditRefusals, WhatIsAddedHasTheHeightOfWhatIsBesideIt)
+{
+  Floorplan plan = roomsWithADoor();
+  plan.rooms.pop_back();
+  plan.openings.clear();
+  PlanRoom& room = plan.rooms[0];
+  room.ceiling = slabAt(9); // which is nowhere
+  room.details = {{rectangle(0, 0, 1, 3), {}, slabAt(2.5), true},
+                  {rectangle(1, 0, 4, 3), {}, slabAt(1, 0.5), true}};
+  room.floor_details = {{rectangle(3, 0, 4, 3), {}, slabAt(0.2)}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.moveWall(1, 3, 0.5)) << editor.getErrorMessage(); // y = 3
+  ASSERT_TRUE(editor.moveWall(1, 2, 1)) << editor.getErrorMessage();   // x = 4
+  const PlanRoom& now = editor.getFloorplan().rooms[0];
+  for (const double x : {0.01, 0.3, 0.985, 1.015, 2.0, 3.9, 4.0, 4.1, 4.9})
+    for (const double y : {0.01, 2.0, 2.9999, 3.0001, 3.3, 3.49}) {
+      EXPECT_NEAR(now.ceilingAt({x, y}), x < 1 ? 2.5 : 1 + x / 2, 1e-9)
+          << x << ' ' << y;
+      EXPECT_NEAR(now.floorAt({x, y}), x > 3 ? 0.2 : 0, 1e-9) << x << ' ' << y;
+    }
+  EXPECT_TRUE(now.details.back().is_facet);
+}
+
 } // namespace
