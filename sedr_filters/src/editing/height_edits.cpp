@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <vector>
 
 namespace pcl::sedr {
@@ -28,6 +29,44 @@ lift(PlanSlab& slab, std::vector<PlanDetail>& details, double by)
       details[k] = carrier.details[k];
       details[k].slab.accuracy = {};
     }
+}
+
+constexpr const char* no_rise = "a stair would lead nowhere";
+
+/** @brief Raises the ends of stairs that stand on floors that were raised.
+ * @param is_moved tells it of a room and a height of its floor
+ * @return false if one would then not rise */
+bool
+moveStairs(Floorplan& plan,
+           const std::function<bool(std::uint32_t, double)>& is_moved,
+           double by)
+{
+  for (PlanStair& stair : plan.stairs) {
+    const double low = stair.bottom;
+    const double old_rise = stair.top - low;
+    stair.bottom += is_moved(stair.rooms[0], stair.bottom) ? by : 0;
+    stair.top += is_moved(stair.rooms[1], stair.top) ? by : 0;
+    const double stretch = (stair.top - stair.bottom) / old_rise;
+    if (!(stretch > 0))
+      return false;
+    for (PlanFlight& flight : stair.flights) {
+      flight.bottom = stair.bottom + stretch * (flight.bottom - low);
+      flight.rise *= stretch;
+    }
+  }
+  return true;
+}
+
+/** @brief Returns where a ceiling would then lie lower below the floor than before, or
+ * an empty text. */
+std::string
+crossingProblem(const PlanRoom& before, const PlanRoom& room)
+{
+  const ClearHeight clear = clearHeight(room);
+  if (clear.least > 0 || clear.least >= clearHeight(before).least)
+    return {};
+  return formatText("its ceiling would then be %.3f m below its floor at (%.2f, %.2f)",
+                    -clear.least, clear.lowest.x(), clear.lowest.y());
 }
 
 /** @brief Returns a sentence, "the floor of room 3 is at z 0.100 m, it was at 0.000".
@@ -67,11 +106,18 @@ PlanEditor::setFloor(std::uint32_t room, double z)
                       [&](const OpeningWall& wall) { return wall.room == room; }) &&
           std::abs(opening.bottom - heights.low) < on_floor)
         standing.push_back(&opening);
-    for (PlanOpening* opening : standing)
+    for (PlanOpening* opening : standing) {
       opening->bottom = std::min(z, opening->top);
+      opening->residual = opening->deviation_95 = 0;
+    }
+    const auto isOnIt = [&](std::uint32_t id, double foot) {
+      return id == room && std::abs(foot - heights.low) < on_floor;
+    };
+    if (!moveStairs(plan, isOnIt, z - heights.low))
+      return no_rise;
     lift(of.floor, of.floor_details, z - heights.low);
     sentence_ = raisedText("the floor of room ", room, heights.low, z - heights.low);
-    return {};
+    return crossingProblem(*findRoom(plan_, room), of);
   });
 }
 
@@ -85,7 +131,7 @@ PlanEditor::setCeiling(std::uint32_t room, double z)
     lift(of.ceiling, of.details, z - heights.high);
     sentence_ =
         raisedText("the ceiling of room ", room, heights.high, z - heights.high);
-    return {};
+    return crossingProblem(*findRoom(plan_, room), of);
   });
 }
 
@@ -110,19 +156,9 @@ PlanEditor::setStorey(std::uint32_t number, double z)
     for (std::size_t o = 0; o < plan.openings.size(); ++o)
       if (isOf(plan.openings[o].walls.front().room))
         plan.openings[o] = raised.openings[o];
-    for (PlanStair& stair : plan.stairs) {
-      const double low = stair.bottom;
-      const double old_rise = stair.top - low;
-      stair.bottom += isOf(stair.rooms[0]) ? by : 0;
-      stair.top += isOf(stair.rooms[1]) ? by : 0;
-      const double stretch = (stair.top - stair.bottom) / old_rise;
-      if (!(stretch > 0))
-        return "a stair would lead nowhere";
-      for (PlanFlight& flight : stair.flights) {
-        flight.bottom = stair.bottom + stretch * (flight.bottom - low);
-        flight.rise *= stretch;
-      }
-    }
+    if (!moveStairs(
+            plan, [&](auto room, double) { return isOf(room); }, by))
+      return no_rise;
     sentence_ = raisedText("storey ", number, storey->floor, by);
     return {};
   });

@@ -22,6 +22,25 @@ nameOf(const PlanRoom& room)
   return "room " + std::to_string(room.id);
 }
 
+std::string
+heightText(const PlanRoom& room)
+{
+  const RoomHeights heights = heightsOf(room);
+  const auto text = [](double z) {
+    return numberText(std::round(z * 100) / 100 + 0.0);
+  };
+  return nameOf(room) + " from z " + text(heights.low) + " to " + text(heights.high) +
+         " m";
+}
+
+double
+commonHeight(const PlanRoom& a, const PlanRoom& b)
+{
+  const RoomHeights of_a = heightsOf(a);
+  const RoomHeights of_b = heightsOf(b);
+  return std::max(std::min(of_a.high, of_b.high) - std::max(of_a.low, of_b.low), 0.0);
+}
+
 /** @brief Returns which two rooms overlap more than the rooms did that they were. */
 std::string
 overlapProblem(const Floorplan& before, const Floorplan& after)
@@ -31,8 +50,17 @@ overlapProblem(const Floorplan& before, const Floorplan& after)
   for (const PlanRoom& room : after.rooms)
     for (const PlanRoom& other : after.rooms) {
       const PlanRoom* const old = findRoom(before, room.id);
-      if (room.id == other.id || !old || isSame(old->boundary, room.boundary) ||
-          !shareHeights(room, other))
+      const PlanRoom* const was = findRoom(before, other.id);
+      if (room.id == other.id || !old)
+        continue;
+      const bool is_same = isSame(old->boundary, room.boundary);
+      if (is_same && was && isSame(was->boundary, other.boundary) &&
+          commonHeight(room, other) >
+              std::max(commonHeight(*old, *was), commonHeight(*old, other)) +
+                  touching &&
+          commonArea(room, other) > negligible)
+        return heightText(room) + " would then meet " + heightText(other);
+      if (is_same || !shareHeights(room, other))
         continue;
       const double area = commonArea(room, other);
       double known = 0;
@@ -203,15 +231,9 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     PlanRoom* const second = findRoom(plan, other);
     if (!second || room == other)
       return "the plan has no other room " + std::to_string(other);
-    if (!shareHeights(first, *second)) {
-      const auto range = [](const PlanRoom& r) {
-        const RoomHeights heights = heightsOf(r);
-        return nameOf(r) + " from z " +
-               numberText(std::round(heights.low * 100) / 100) + " to " +
-               numberText(std::round(heights.high * 100) / 100) + " m";
-      };
-      return "they lie at different heights: " + range(first) + ", " + range(*second);
-    }
+    if (!shareHeights(first, *second))
+      return "they lie at different heights: " + heightText(first) + ", " +
+             heightText(*second);
     std::vector<PlanLoop> areas = wallsBetween(plan, first, *second, max_wall_);
     const std::size_t walls = areas.size();
     std::vector<Eigen::Vector2d> ends;

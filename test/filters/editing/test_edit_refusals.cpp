@@ -46,6 +46,51 @@ TEST(EditRefusals, OpeningsThatGoWithTheirWallsAreTold)
   EXPECT_EQ(dropped.getWarnings(), merged.getWarnings());
 }
 
+TEST(EditRefusals, FloorsAndCeilingsThatMeetARoomAboveOrBelow)
+{
+  Floorplan plan = roomsWithADoor();
+  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 5.3, 3)); // above room 1
+  plan.rooms[2].floor = slabAt(2.8);
+  plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}, {2, "first", 2.8, 5.3, {3}}};
+  PlanEditor editor(plan);
+  EXPECT_FALSE(editor.setCeiling(1, 2.85));
+  EXPECT_EQ(editor.getErrorMessage(),
+            "room 1 from z 0 to 2.85 m would then meet room 3 from z 2.8 to 5.3 m");
+  EXPECT_FALSE(editor.setCeiling(1, 9));
+  EXPECT_FALSE(editor.setFloor(3, 2.4));
+  EXPECT_FALSE(editor.setStorey(2, 2.4));
+  EXPECT_TRUE(editor.setCeiling(1, 2.8)) << "up to its floor";
+  EXPECT_TRUE(editor.setCeiling(2, 9)) << "nothing is above it";
+  plan.rooms[1].ceiling = slabAt(-2, 1); // from 2.2 to 4.2 m
+  PlanEditor below_roof(plan);
+  EXPECT_FALSE(below_roof.setCeiling(2, 0.8));
+  EXPECT_EQ(below_roof.getErrorMessage().find("its ceiling would then be 0."), 0u);
+  EXPECT_FALSE(below_roof.setFloor(2, 2.5));
+  EXPECT_TRUE(below_roof.setFloor(2, 2));
+}
+
+TEST(EditRefusals, WhatARaisedFloorChangesWasNotMeasured)
+{
+  Floorplan plan = roomsWithADoor();
+  plan.openings[0].residual = plan.openings[0].deviation_95 = 0.01;
+  plan.openings.push_back(plan.openings[0]);
+  plan.openings[1].bottom = 1; // not on the floor
+  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 5.3, 3));
+  plan.rooms[2].floor = slabAt(2.8);
+  PlanFlight flight;
+  flight.risers = {{Eigen::Vector2d(3, 2), {3, 1}}, {Eigen::Vector2d(2, 2), {2, 1}}};
+  flight.rise = 1.4;
+  plan.stairs = {{{1, 3}, {3, 1.5}, 0, 2.8, {flight}}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.setFloor(1, 0.1)) << editor.getErrorMessage();
+  ASSERT_TRUE(editor.setFloor(3, 2.9)) << editor.getErrorMessage();
+  const Floorplan& now = editor.getFloorplan();
+  EXPECT_EQ(now.openings[0].residual + now.openings[0].deviation_95, 0);
+  EXPECT_EQ(now.openings[1].residual, 0.01);
+  EXPECT_NEAR(now.stairs[0].flights[0].bottom, 0.1, 1e-12);
+  EXPECT_NEAR(now.stairs[0].flights[0].top(), 2.9, 1e-12);
+}
+
 TEST(EditRefusals, WhatIsAddedHasTheHeightOfWhatIsBesideIt)
 {
   Floorplan plan = roomsWithADoor();
