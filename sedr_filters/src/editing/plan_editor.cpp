@@ -180,7 +180,7 @@ PlanEditor::apply(const std::function<std::string(Floorplan&)>& change)
     sentence_.clear();
     return false;
   }
-  warnings_ = attachOpenings(plan_, changed);
+  warnings_ = attachOpenings(plan_, changed, max_wall_);
   for (std::string& flight : flightsThroughWalls(plan_, changed))
     warnings_.push_back(std::move(flight));
   sentence_ += changesOf(plan_, changed);

@@ -36,18 +36,24 @@ elementLike(const PlanRoom& room, const PlanElement& wall)
 
 namespace {
 
-/** @brief Returns the walls that an opening was in before an edit. */
-std::vector<PlanElement>
-wallsBefore(const Floorplan& before, const PlanOpening& opening)
+/** @brief Returns an opening as it was before an edit. */
+const PlanOpening&
+openingBefore(const Floorplan& before, const PlanOpening& opening)
 {
   const auto was = std::find_if(
       before.openings.begin(), before.openings.end(), [&](const PlanOpening& o) {
         return o.number != 0 && o.number == opening.number && o.kind == opening.kind;
       });
+  return was == before.openings.end() ? opening : *was;
+}
+
+/** @brief Returns the walls that an opening was in. */
+std::vector<PlanElement>
+wallsOf(const Floorplan& plan, const PlanOpening& opening)
+{
   std::vector<PlanElement> walls;
-  for (const OpeningWall& wall :
-       was == before.openings.end() ? opening.walls : was->walls)
-    if (const PlanRoom* const room = findRoom(before, wall.room);
+  for (const OpeningWall& wall : opening.walls)
+    if (const PlanRoom* const room = findRoom(plan, wall.room);
         room && wall.element < room->boundary.elements.size())
       walls.push_back(room->boundary.elements[wall.element]);
   return walls;
@@ -146,7 +152,7 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
 }
 
 std::vector<std::string>
-attachOpenings(const Floorplan& before, Floorplan& plan)
+attachOpenings(const Floorplan& before, Floorplan& plan, double max_wall)
 {
   std::vector<std::string> told;
   const auto attach = [&](PlanOpening& opening) {
@@ -156,7 +162,8 @@ attachOpenings(const Floorplan& before, Floorplan& plan)
         placeText(opening.kind == OpeningKind::Unknown ? "opening"
                                                        : nameOf(opening.kind),
                   middle);
-    const std::vector<PlanElement> before_walls = wallsBefore(before, opening);
+    const PlanOpening& was = openingBefore(before, opening);
+    const std::vector<PlanElement> before_walls = wallsOf(before, was);
     std::vector<OpeningWall> walls;
     for (const OpeningWall& wall : opening.walls) {
       const PlanRoom* const room = findRoom(plan, wall.room);
@@ -184,6 +191,11 @@ attachOpenings(const Floorplan& before, Floorplan& plan)
     opening.walls = walls;
     if (walls.empty())
       told.push_back(what + " is in no wall any more: it is left out");
+    else if (walls.size() < was.walls.size() ||
+             (opening.depth > max_wall && was.depth <= max_wall))
+      told.push_back(
+          what +
+          " is in no wall between its rooms any more: the IFC may be without it");
     return walls.empty();
   };
   plan.openings.erase(

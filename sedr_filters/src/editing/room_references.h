@@ -30,9 +30,11 @@ void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
 
 /** @brief Finds the elements that openings are in again: the same ones, or those
  * nearest to their faces. Openings that no wall of their rooms is beside go.
- * @return sentences about openings that go, and those that reach farther beyond the
- * ends of their walls than before */
-std::vector<std::string> attachOpenings(const Floorplan& before, Floorplan& plan);
+ * @param max_wall maximum thickness of a wall between two rooms, metres
+ * @return sentences about openings that go, those that reach farther beyond the ends of
+ * their walls than before, and those that no wall between their rooms has any more */
+std::vector<std::string>
+attachOpenings(const Floorplan& before, Floorplan& plan, double max_wall);
 
 /** @brief Returns sentences about the flights of stairs that reach farther through the
  * walls of the room that they are in than before. */

@@ -91,6 +91,32 @@ TEST(EditRefusals, WhatARaisedFloorChangesWasNotMeasured)
   EXPECT_NEAR(now.stairs[0].flights[0].top(), 2.9, 1e-12);
 }
 
+TEST(EditRefusals, AJogIsNoDeeperThanAWall)
+{
+  Floorplan plan;
+  plan.rooms = {
+      roomOf(sedr_test::polygon({{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 3.7}, {0, 3.7}}),
+             2.5, 1)};
+  PlanEditor editor(plan);
+  EXPECT_FALSE(editor.removeJog(1, 4)); // x = 4
+  EXPECT_EQ(editor.getErrorMessage(), "wall 1.4 is no jog: wall 1.3 would move by "
+                                      "0.700 m, more than a wall is thick, 0.600 m");
+  EXPECT_TRUE(PlanEditor(plan, 0.8).removeJog(1, 4));
+}
+
+TEST(EditRefusals, OpeningsThatNoWallHasAnyMoreAreTold)
+{
+  PlanEditor editor(roomsWithADoor());
+  ASSERT_TRUE(editor.moveWall(1, 2, -0.3)) << editor.getErrorMessage(); // x = 4
+  EXPECT_EQ(editor.getWarnings(), Told{}) << "a wall of 0.5 m";
+  ASSERT_TRUE(editor.moveWall(1, 2, -0.3)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getWarnings(),
+            Told{"D1: the door at (3.80, 1.50) is in no wall between its rooms any "
+                 "more: the IFC may be without it"});
+  ASSERT_TRUE(editor.moveWall(1, 2, -0.3)) << "told once";
+  EXPECT_EQ(editor.getWarnings(), Told{});
+}
+
 TEST(EditRefusals, WhatIsAddedHasTheHeightOfWhatIsBesideIt)
 {
   Floorplan plan = roomsWithADoor();
