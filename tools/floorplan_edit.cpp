@@ -41,6 +41,8 @@ main(int argc, char** argv)
   options.flag("undo", undo, "take back the last edits of a folder instead");
   return runTool(options, argc, argv, [&] {
     const bool is_folder = std::filesystem::is_directory(plan);
+    if (!std::filesystem::exists(plan))
+      throw ToolError("there is no folder or floor plan '" + plan + "'");
     if (is_folder != output.empty())
       throw ToolError(is_folder
                           ? "the files of a folder are written in it, there is no "

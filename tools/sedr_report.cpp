@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/report_page.h"
-#include "results/result_folder.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -26,9 +25,6 @@ main(int argc, char** argv)
   return runTool(options, argc, argv, [&] {
     const Progress progress("writing the page");
     writePage(folder, settings);
-    if (settings.scan.empty() && ResultFolder(folder).scanPath().empty())
-      say("the scan itself was not found, the page has no picture of it: name it by "
-          "--scan");
     return Done;
   });
 }

@@ -139,6 +139,22 @@ TEST_F(EditedModel, UndoGoesBackToThePlanAndTheReportBefore)
   expectSentence(run(FLOORPLAN_EDIT, {model(), "--undo"}), 1, "no edit to undo");
 }
 
+TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
+{
+  writeFile(in("model/report.html"), "of a run");
+  const std::vector<std::string> edit{model(), "--name", "1=Hall; 2=Bath"};
+  EXPECT_EQ(run(FLOORPLAN_EDIT, edit).err.find("in place of the scan"),
+            std::string::npos)
+      << "it is beside the folder";
+  EXPECT_EQ(bytesOf(in("model/report.html")).find("floorplan.json~"),
+            std::string::npos);
+  std::filesystem::remove(in("scan.pcd"));
+  const ProgramRun result = run(FLOORPLAN_EDIT, edit);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("the page shows the points of structure.pcd"),
+            std::string::npos);
+}
+
 TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
 {
   const std::string report = bytesOf(in("model/report.json"));
@@ -148,6 +164,8 @@ TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
                  "folder");
   EXPECT_EQ(bytesOf(in("model/report.json")), report);
   EXPECT_FALSE(has("floorplan.json~") || has("model.ifc"));
+  expectSentence(run(FLOORPLAN_EDIT, {in("nosuch"), "--drop", "1"}), 1,
+                 "there is no folder or floor plan");
   std::filesystem::remove(in("model/report.json"));
   expectSentence(run(FLOORPLAN_EDIT, {model(), "--drop", "1"}), 1, "no report.json");
 }

@@ -4,6 +4,8 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
+#include <boost/algorithm/string/trim.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -234,6 +236,7 @@ EditOptions::apply(PlanEditor& editor)
     const std::string option = "--" + std::string(kind.option) + " ";
     std::istringstream list(kind.given.empty() ? ";" : kind.given);
     for (std::string edit; std::getline(list, edit, ';');) {
+      boost::algorithm::trim(edit);
       std::string rest = edit;
       if (!kind.read(rest))
         throw ToolError("'" + edit + "': " + option + "wants " + kind.wanted);

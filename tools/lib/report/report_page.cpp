@@ -8,6 +8,7 @@
 #include "report/page_models.h"
 #include "report/page_scan.h"
 #include "results/result_folder.h"
+#include "run_tool.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
@@ -51,7 +52,8 @@ fileNames(const std::string& path)
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(path))
     if (entry.is_regular_file() && entry.path().stem() != "report.html" &&
-        entry.path().filename() != "report.html")
+        entry.path().filename() != "report.html" &&
+        entry.path().string().back() != '~') // of a plan before
       names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -172,6 +174,10 @@ pageData(const std::string& path, const PageSettings& settings)
         modelOf(meshToGlb(shown, plan), mesh.triangles.size(), shown.triangles.size());
   }
   const std::string scan = settings.scan.empty() ? folder.scanPath() : settings.scan;
+  if (scan.empty() && folder.has("structure.pcd"))
+    warn("the page shows the points of structure.pcd in place of the scan: no folder "
+         "above the "
+         "model has it, nor the working directory; pcl_sedr_report --scan names it");
   json["scan"] = pagePoints(folder, scan, plan, mesh, solid, settings.range);
   return json;
 }
