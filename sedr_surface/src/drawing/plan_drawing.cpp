@@ -181,7 +181,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
     return;
   }
   const PlanFrame& frame = layout.frame;
-  const std::vector<RoomSurfaces> surfaces =
+  const std::vector<DrawnSurfaces> surfaces =
       surfacesOf(plan, finest > 0 ? finest : 1 / frame.scale);
   walls = findWalls(plan, {settings.max_wall});
   lines = planLines(plan, walls, surfaces, view);
@@ -196,7 +196,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
         bands.push_back(bandOf(plan, wall));
     addBodies(bands, rooms, is_assumed);
   }
-  for (const RoomSurfaces& room : surfaces) {
+  for (const DrawnSurfaces& room : surfaces) {
     const CeilingFaces& ceiling = room.faces;
     area += view == DrawingView::Floor ? ceiling.room.area() : ceiling.area();
     if (view == DrawingView::Floor)

@@ -101,9 +101,9 @@ public:
   }
 
   /** @brief Adds an arrow up each slope of the floor or ceiling. */
-  void addSlopes(RoomSurface surface, const SurfaceLines& lines)
+  void addSlopes(SurfaceSide side, const SurfaceLines& lines)
   {
-    const bool is_floor = surface == RoomSurface::Floor;
+    const bool is_floor = side == SurfaceSide::Floor;
     const std::vector<PlanDetail>& details =
         is_floor ? room_.floor_details : room_.details;
     for (const std::size_t d : lines.largest(details)) {
@@ -192,21 +192,21 @@ addFarSides(const Floorplan& plan,
 
 } // namespace
 
-std::vector<RoomSurfaces>
+std::vector<DrawnSurfaces>
 surfacesOf(const Floorplan& plan, double finest)
 {
-  std::vector<RoomSurfaces> surfaces;
+  std::vector<DrawnSurfaces> surfaces;
   for (const PlanRoom& room : plan.rooms)
     surfaces.push_back({CeilingFaces(room),
-                        surfaceLines(room, RoomSurface::Ceiling, finest),
-                        surfaceLines(room, RoomSurface::Floor, finest)});
+                        surfaceLines(room, SurfaceSide::Ceiling, finest),
+                        surfaceLines(room, SurfaceSide::Floor, finest)});
   return surfaces;
 }
 
 std::vector<PlanLine>
 planLines(const Floorplan& plan,
           const std::vector<PlanWall>& walls,
-          const std::vector<RoomSurfaces>& surfaces,
+          const std::vector<DrawnSurfaces>& surfaces,
           DrawingView view)
 {
   const bool is_floor = view == DrawingView::Floor;
@@ -233,12 +233,12 @@ planLines(const Floorplan& plan,
     if (!is_floor) {
       for (const CeilingLine& line : contourLines(surfaces[r].faces))
         lines.add(line.element, PlanLayer::Contour, line.text);
-      lines.addSlopes(RoomSurface::Ceiling, surfaces[r].ceiling);
+      lines.addSlopes(SurfaceSide::Ceiling, surfaces[r].ceiling);
       continue;
     }
     for (const CeilingLine& line : surfaces[r].floor.lines)
       lines.add(line.element, PlanLayer::Floor);
-    lines.addSlopes(RoomSurface::Floor, surfaces[r].floor);
+    lines.addSlopes(SurfaceSide::Floor, surfaces[r].floor);
     for (const double height : headrooms)
       for (const CeilingLine& line : heightLines(surfaces[r].faces, height))
         lines.addOverhead(line.element, PlanLayer::Headroom, line.text);

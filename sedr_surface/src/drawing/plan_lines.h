@@ -25,14 +25,14 @@ struct PlanLine {
 };
 
 /** @brief What a drawing shows of the ceiling and the floor of a room. */
-struct RoomSurfaces {
+struct DrawnSurfaces {
   CeilingFaces faces;
   SurfaceLines ceiling;
   SurfaceLines floor;
 };
 
 /** @brief Returns the surfaces of each room, see surfaceLines(). */
-std::vector<RoomSurfaces> surfacesOf(const Floorplan& plan, double finest);
+std::vector<DrawnSurfaces> surfacesOf(const Floorplan& plan, double finest);
 
 /** @brief Returns all lines and arcs of a plan. Edges of niches on a wall or column are
  * not repeated, nor is drawn on a plan of the floor what of the ceiling is the
@@ -42,7 +42,7 @@ std::vector<RoomSurfaces> surfacesOf(const Floorplan& plan, double finest);
  * @param surfaces from surfacesOf() */
 std::vector<PlanLine> planLines(const Floorplan& plan,
                                 const std::vector<PlanWall>& walls,
-                                const std::vector<RoomSurfaces>& surfaces,
+                                const std::vector<DrawnSurfaces>& surfaces,
                                 DrawingView view = DrawingView::Floor);
 
 /** @brief Returns both sides of the head of an arrow, metres. */

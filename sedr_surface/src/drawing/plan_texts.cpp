@@ -289,7 +289,7 @@ writeStairs(const Floorplan& plan, TextWriter& writer)
 
 PlanTexts
 placedTexts(const Floorplan& plan,
-            const std::vector<RoomSurfaces>& surfaces,
+            const std::vector<DrawnSurfaces>& surfaces,
             const std::vector<PlanLine>& lines,
             const std::vector<OpeningGap>& openings,
             const PlanFrame& frame,

@@ -36,7 +36,7 @@ struct PlanTextSettings {
  * @param surfaces of each room
  * @param frame maps the plan to the sheet */
 PlanTexts placedTexts(const Floorplan& plan,
-                      const std::vector<RoomSurfaces>& surfaces,
+                      const std::vector<DrawnSurfaces>& surfaces,
                       const std::vector<PlanLine>& lines,
                       const std::vector<OpeningGap>& openings,
                       const PlanFrame& frame,

@@ -49,9 +49,9 @@ struct Border {
 /** @brief Finds the lines of a room's ceiling or floor. */
 class LineFinder {
 public:
-  LineFinder(const PlanRoom& room, RoomSurface surface, double finest)
+  LineFinder(const PlanRoom& room, SurfaceSide side, double finest)
       : room_(room)
-      , is_floor_(surface == RoomSurface::Floor)
+      , is_floor_(side == SurfaceSide::Floor)
       , details_(is_floor_ ? room.floor_details : room.details)
       , lookup_(room)
       , finest_(finest)
@@ -265,9 +265,9 @@ SurfaceLines::largest(const std::vector<PlanDetail>& details) const
 }
 
 SurfaceLines
-surfaceLines(const PlanRoom& room, RoomSurface surface, double finest)
+surfaceLines(const PlanRoom& room, SurfaceSide side, double finest)
 {
-  return LineFinder(room, surface, finest).find();
+  return LineFinder(room, side, finest).find();
 }
 
 } // namespace pcl::sedr

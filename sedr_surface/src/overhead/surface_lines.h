@@ -55,8 +55,8 @@ forEachPart(const PlanElement& element, Value value, Use use)
 std::vector<std::vector<Eigen::Vector2d>>
 chained(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& segments);
 
-/** @brief Which surface of a room. */
-enum class RoomSurface { Ceiling, Floor };
+/** @brief Which surface of a room: above or below. */
+enum class SurfaceSide { Ceiling, Floor };
 
 /** @brief The lines of a ceiling or floor, and the parts between them. */
 struct SurfaceLines {
@@ -79,6 +79,6 @@ struct SurfaceLines {
  * intersection. Arcs stay arcs.
  * @param finest metres that a millimetre of paper stands for: lines are straightened by
  * that much, and those that extend over less than eight of them are left out */
-SurfaceLines surfaceLines(const PlanRoom& room, RoomSurface surface, double finest);
+SurfaceLines surfaceLines(const PlanRoom& room, SurfaceSide side, double finest);
 
 } // namespace pcl::sedr

@@ -33,13 +33,13 @@ roomWith(const std::vector<std::pair<PlanLoop, PlanSlab>>& facets)
 std::size_t
 lineCount(const PlanRoom& room)
 {
-  return surfaceLines(room, RoomSurface::Ceiling, at_1_50).lines.size();
+  return surfaceLines(room, SurfaceSide::Ceiling, at_1_50).lines.size();
 }
 
 SurfaceLines
 ceilingLines(const PlanRoom& room, double finest)
 {
-  return surfaceLines(room, RoomSurface::Ceiling, finest);
+  return surfaceLines(room, SurfaceSide::Ceiling, finest);
 }
 
 TEST(CeilingLines, AreWhereThereIsAStepOrAnAngle)
@@ -252,7 +252,7 @@ TEST(FloorLines, AreWhereTheFloorHasAStepOrARamp)
   PlanRoom room = roomOf(rectangle(0, 0, 8, 4), 2.5);
   const auto count = [&](double step) {
     room.floor_details = {detailOf(rectangle(6, 0, 8, 4), step)};
-    return surfaceLines(room, RoomSurface::Floor, at_1_50).lines.size();
+    return surfaceLines(room, SurfaceSide::Floor, at_1_50).lines.size();
   };
   EXPECT_EQ(count(0.02), 0u);
   EXPECT_EQ(count(0.04), 1u);
@@ -260,7 +260,7 @@ TEST(FloorLines, AreWhereTheFloorHasAStepOrARamp)
   PlanDetail ramp = detailOf(rectangle(3.5, 0, 6, 4), 0);
   ramp.slab = slabAt(-0.08 * 3.5, 0.08);
   room.floor_details.push_back(ramp);
-  EXPECT_EQ(surfaceLines(room, RoomSurface::Floor, at_1_50).lines.size(), 2u);
+  EXPECT_EQ(surfaceLines(room, SurfaceSide::Floor, at_1_50).lines.size(), 2u);
 }
 
 TEST(ContourLines, RunAroundADomeAtEqualHeights)
