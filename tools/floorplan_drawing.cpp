@@ -29,7 +29,7 @@ sheetOf(const std::string& output,
   std::string known;
   for (const auto& storey : pcl::sedr::storeysOf(plan)) {
     if (storey.number == number)
-      return {output, storey, view, {}};
+      return {{output}, storey, view, {}};
     known += (known.empty() ? "" : ", ") + std::to_string(storey.number);
   }
   throw ToolError("there is no storey " + std::to_string(number) +
@@ -120,14 +120,13 @@ main(int argc, char** argv)
     settings.view =
         is_ceiling ? pcl::sedr::DrawingView::Ceiling : pcl::sedr::DrawingView::Floor;
     if (!section.empty()) {
-      writeWhole(output, drawSection(drawn, sectionOf(section, drawn), formatOf(output),
-                                     settings));
+      saveDrawing({{output}, {}, {}, sectionOf(section, drawn)}, drawn, settings);
       return Done;
     }
     if (room > 0) {
       if (!findRoom(drawn, room))
         throw ToolError("there is no room " + std::to_string(room) + " in the plan");
-      writeWhole(output, drawElevations(drawn, room, formatOf(output), settings));
+      writeWhole(output, drawElevations(drawn, room, {formatOf(output)}, settings)[0]);
       return Done;
     }
     if (storey > 0) {
@@ -136,9 +135,9 @@ main(int argc, char** argv)
           drawn, settings);
       return Done;
     }
-    const auto sheets = drawingSheets(output, drawn, settings.view);
+    const auto sheets = drawingSheets({output}, drawn, settings.view);
     for (const DrawingSheet& sheet : sheets)
-      checkDrawingOutput(sheet.path);
+      checkDrawingOutput(sheet.paths[0]);
     for (const DrawingSheet& sheet : sheets)
       saveDrawing(sheet, drawn, settings);
     return Done;

@@ -83,15 +83,17 @@ complete(CutDrawing& drawing, const DrawingSettings& settings)
   drawing.texts = placedLabels(drawing.labels, drawing.lines, frame, places);
 }
 
-std::string
+std::vector<std::string>
 written(const CutDrawing& drawing,
-        DrawingFormat format,
+        const std::vector<DrawingFormat>& formats,
         const DrawingSettings& settings)
 {
-  if (format == DrawingFormat::Dxf)
-    return dxfOf(drawing, settings);
-  const Sheet sheet = cutSheet(drawing, settings);
-  return format == DrawingFormat::Svg ? sheetSvg(sheet) : sheetPdf(sheet);
+  std::vector<std::string> files;
+  for (const DrawingFormat format : formats)
+    files.push_back(format == DrawingFormat::Dxf
+                        ? dxfOf(drawing, settings)
+                        : sheetText(cutSheet(drawing, settings), format));
+  return files;
 }
 
 } // namespace pcl::sedr

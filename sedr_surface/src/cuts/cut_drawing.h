@@ -21,8 +21,9 @@ PlanLoop rectangleOf(double left, double right, double bottom, double top);
  * breadths below, heights on the left, both overall. */
 void complete(CutDrawing& drawing, const DrawingSettings& settings);
 
-std::string written(const CutDrawing& drawing,
-                    DrawingFormat format,
-                    const DrawingSettings& settings);
+/** @brief Returns the drawing in each format. */
+std::vector<std::string> written(const CutDrawing& drawing,
+                                 const std::vector<DrawingFormat>& formats,
+                                 const DrawingSettings& settings);
 
 } // namespace pcl::sedr

@@ -146,15 +146,15 @@ elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& set
 
 } // namespace
 
-std::string
+std::vector<std::string>
 drawElevations(const Floorplan& plan,
                std::uint32_t room,
-               DrawingFormat format,
+               const std::vector<DrawingFormat>& formats,
                const DrawingSettings& settings)
 {
   Floorplan numbered = plan;
   numberOpenings(numbered);
-  return written(elevationsOf(numbered, room, settings), format, settings);
+  return written(elevationsOf(numbered, room, settings), formats, settings);
 }
 
 } // namespace pcl::sedr

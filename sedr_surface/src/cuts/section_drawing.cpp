@@ -216,11 +216,11 @@ sectionThroughRooms(const Floorplan& plan)
 {
   SectionLine best;
   std::pair<std::size_t, double> most{0, 0};
-  for (const PlanRoom& room : plan.rooms)
+  for (const PlanRoom& room : plan.rooms) {
+    const Eigen::Vector2d at = textSpotIn(room.boundary, room.columns).place;
     for (const PlanElement& e : room.boundary.elements) {
       if (e.isArc() || e.length() < 1)
         continue;
-      const Eigen::Vector2d at = textSpotIn(room.boundary, room.columns).place;
       const SectionLine line{at, at + (e.end - e.start).normalized()};
       std::pair<std::size_t, double> cut{0, 0}; // rooms, metres
       for (const PlanRoom& other : plan.rooms) {
@@ -236,6 +236,7 @@ sectionThroughRooms(const Floorplan& plan)
         best = line;
       }
     }
+  }
   return best;
 }
 
@@ -250,15 +251,15 @@ sectionThroughStairs(const Floorplan& plan)
   return std::nullopt;
 }
 
-std::string
+std::vector<std::string>
 drawSection(const Floorplan& plan,
             const SectionLine& line,
-            DrawingFormat format,
+            const std::vector<DrawingFormat>& formats,
             const DrawingSettings& settings)
 {
   Floorplan numbered = plan;
   numberOpenings(numbered);
-  return written(sectionOf(numbered, line, settings), format, settings);
+  return written(sectionOf(numbered, line, settings), formats, settings);
 }
 
 } // namespace pcl::sedr

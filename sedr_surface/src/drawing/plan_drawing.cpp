@@ -180,11 +180,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
     title = titleTextsOf(*this);
     return;
   }
-  const PlanFrame& frame = layout.frame;
-  const std::vector<DrawnSurfaces> surfaces =
-      surfacesOf(plan, finest > 0 ? finest : 1 / frame.scale);
   walls = findWalls(plan, {settings.max_wall});
-  lines = planLines(plan, walls, surfaces, view);
   openings = openingGaps(plan, walls, view);
   std::vector<PlanArea> rooms;
   for (const PlanRoom& room : plan.rooms)
@@ -196,8 +192,8 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
         bands.push_back(bandOf(plan, wall));
     addBodies(bands, rooms, is_assumed);
   }
-  for (const DrawnSurfaces& room : surfaces) {
-    const CeilingFaces& ceiling = room.faces;
+  for (const PlanRoom& room : plan.rooms) {
+    const CeilingFaces& ceiling = surfaces_.emplace_back(room).faces;
     area += view == DrawingView::Floor ? ceiling.room.area() : ceiling.area();
     if (view == DrawingView::Floor)
       outlines.push_back(ceiling.room.boundary);
@@ -206,18 +202,33 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
         for (const PlanLoop& loop : outlinesOf(ceiling.solid, face))
           outlines.push_back(loop);
   }
-  TextPlaces places(layout.size);
+  const PlanFrame& frame = layout.frame;
+  around_ = TextPlaces(layout.size);
   dimensions = placedRows(rowsAround(plan, frame.turn, settings.max_wall),
-                          boundsOf(plan, walls, frame), frame, places);
+                          boundsOf(plan, walls, frame), frame, around_);
+  text_settings_ = {view, usualFloor(whole, storeysOf(whole).front()),
+                    settings.wall_numbers};
+  draw(finest);
+}
+
+void
+PlanDrawing::draw(double finest)
+{
+  if (plan.rooms.empty() || finest == finest_)
+    return;
+  finest_ = finest;
+  const PlanFrame& frame = layout.frame;
+  for (DrawnSurfaces& room : surfaces_)
+    room.findLines(finest > 0 ? finest : 1 / frame.scale);
+  lines = planLines(plan, walls, surfaces_, view);
+  TextPlaces places = around_;
   for (const PlanLine& line : lines) {
     const bool is_solid =
         line.layer == PlanLayer::Wall || line.layer == PlanLayer::Outside ||
         line.layer == PlanLayer::Guess || line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
-  const double zero = usualFloor(whole, storeysOf(whole).front());
-  texts = placedTexts(plan, surfaces, lines, openings, frame,
-                      {view, zero, settings.wall_numbers}, places);
+  texts = placedTexts(plan, surfaces_, lines, openings, frame, text_settings_, places);
   title = titleTextsOf(*this);
 }
 
@@ -281,18 +292,6 @@ cutSheet(const CutDrawing& drawing, const DrawingSettings& settings)
   addDimensions(sheet, drawing.dimensions);
   addTitleBlock(sheet, drawing.layout, settings, drawing.title);
   return sheet;
-}
-
-std::string
-floorplanToSvg(const Floorplan& plan, const DrawingSettings& settings)
-{
-  return sheetSvg(planSheet({plan, settings, 0}, settings));
-}
-
-std::string
-floorplanToPdf(const Floorplan& plan, const DrawingSettings& settings)
-{
-  return sheetPdf(planSheet({plan, settings, 0}, settings));
 }
 
 Eigen::Affine2d

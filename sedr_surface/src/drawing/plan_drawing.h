@@ -40,14 +40,32 @@ struct PlanDrawing : Drawing {
   std::vector<PlanWall> walls;
   double area = 0; ///< of floors or ceilings, square metres
 
-  /** @param finest detail of ceilings in metres; 0: a millimetre of paper */
+  /** @brief Draws a plan, see draw(). */
   PlanDrawing(const Floorplan& whole, const DrawingSettings& settings, double finest);
+  PlanDrawing(const PlanDrawing&) = delete; // its surfaces are of its plan
+
+  /** @brief Draws lines and texts, again if they were drawn with another detail.
+   * @param finest detail of ceilings in metres; 0: a millimetre of paper */
+  void draw(double finest);
+
+private:
+  double finest_ = -1;
+  PlanTextSettings text_settings_;
+  TextPlaces around_; ///< occupied by what is beside the plan
+  std::vector<DrawnSurfaces> surfaces_;
 };
 
 /** @brief A drawing of cut solids. */
 struct CutDrawing : Drawing {
   std::vector<DrawingLabel> labels;
 };
+
+/** @brief Returns a sheet as SVG or PDF. */
+inline std::string
+sheetText(const Sheet& sheet, DrawingFormat format)
+{
+  return format == DrawingFormat::Svg ? sheetSvg(sheet) : sheetPdf(sheet);
+}
 
 /** @brief Returns the drawing as a sheet. */
 Sheet cutSheet(const CutDrawing& drawing, const DrawingSettings& settings);

@@ -192,15 +192,11 @@ addFarSides(const Floorplan& plan,
 
 } // namespace
 
-std::vector<DrawnSurfaces>
-surfacesOf(const Floorplan& plan, double finest)
+void
+DrawnSurfaces::findLines(double finest)
 {
-  std::vector<DrawnSurfaces> surfaces;
-  for (const PlanRoom& room : plan.rooms)
-    surfaces.push_back({CeilingFaces(room),
-                        surfaceLines(room, SurfaceSide::Ceiling, finest),
-                        surfaceLines(room, SurfaceSide::Floor, finest)});
-  return surfaces;
+  ceiling = surfaceLines(faces.room, SurfaceSide::Ceiling, finest);
+  floor = surfaceLines(faces.room, SurfaceSide::Floor, finest);
 }
 
 std::vector<PlanLine>

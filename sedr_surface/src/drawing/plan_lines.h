@@ -26,20 +26,25 @@ struct PlanLine {
 
 /** @brief What a drawing shows of the ceiling and the floor of a room. */
 struct DrawnSurfaces {
-  CeilingFaces faces;
-  SurfaceLines ceiling;
-  SurfaceLines floor;
-};
+  /** @param room must outlive this object */
+  explicit DrawnSurfaces(const PlanRoom& room)
+      : faces(room)
+  {}
 
-/** @brief Returns the surfaces of each room, see surfaceLines(). */
-std::vector<DrawnSurfaces> surfacesOf(const Floorplan& plan, double finest);
+  /** @brief Finds the lines, see surfaceLines(). */
+  void findLines(double finest);
+
+  CeilingFaces faces;
+  SurfaceLines ceiling{};
+  SurfaceLines floor{};
+};
 
 /** @brief Returns all lines and arcs of a plan. Edges of niches on a wall or column are
  * not repeated, nor is drawn on a plan of the floor what of the ceiling is the
  * underside of a stair. An arrow leads up each slope, of the floor with its share, of
  * the ceiling with its angle as note. The head of a tilted wall has its tilt as note.
  * @param walls from findWalls(): of those with one seen face the far side is drawn
- * @param surfaces from surfacesOf() */
+ * @param surfaces of each room */
 std::vector<PlanLine> planLines(const Floorplan& plan,
                                 const std::vector<PlanWall>& walls,
                                 const std::vector<DrawnSurfaces>& surfaces,

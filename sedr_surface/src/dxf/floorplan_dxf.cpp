@@ -201,24 +201,12 @@ private:
   DxfBlock& model_ = file_.model();
 };
 
-} // namespace
-
+/** @brief Returns a drawing of a whole plan or of a storey of it as DXF. */
 std::string
-dxfOf(const Drawing& drawing, const DrawingSettings& settings)
+dxfOf(const PlanDrawing& drawing,
+      const Floorplan& whole,
+      const DrawingSettings& settings)
 {
-  Eigen::AlignedBox2d bounds;
-  for (const PlanLoop& outline : drawing.outlines)
-    bounds.extend(boundsOf(outline));
-  if (bounds.isEmpty())
-    bounds.extend(Eigen::Vector2d(0, 0));
-  return DxfWriter(drawing, settings).text(bounds, {});
-}
-
-std::string
-floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
-{
-  constexpr double finest = 0.02; // whatever the sheet: a CAD program zooms in
-  const PlanDrawing drawing(whole, settings, finest);
   const std::vector<PlanWall> walls = findWalls(whole, {settings.max_wall});
   Eigen::AlignedBox2d bounds = boundsOf(whole, walls);
   if (bounds.isEmpty())
@@ -235,6 +223,39 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
     lines.push_back("origin " + settings.origin.text(", ") + " m");
   writer.addBelow(below, lines);
   return writer.text(bounds, settings.origin);
+}
+
+} // namespace
+
+std::string
+dxfOf(const Drawing& drawing, const DrawingSettings& settings)
+{
+  Eigen::AlignedBox2d bounds;
+  for (const PlanLoop& outline : drawing.outlines)
+    bounds.extend(boundsOf(outline));
+  if (bounds.isEmpty())
+    bounds.extend(Eigen::Vector2d(0, 0));
+  return DxfWriter(drawing, settings).text(bounds, {});
+}
+
+std::vector<std::string>
+drawFloorplan(const Floorplan& plan,
+              const std::vector<DrawingFormat>& formats,
+              const DrawingSettings& settings)
+{
+  // Of a DXF it is that whatever the sheet: a CAD program zooms in.
+  const auto finest = [](DrawingFormat format) {
+    return format == DrawingFormat::Dxf ? 0.02 : 0;
+  };
+  PlanDrawing drawing(plan, settings, finest(formats.front()));
+  std::vector<std::string> files;
+  for (const DrawingFormat format : formats) {
+    drawing.draw(finest(format));
+    files.push_back(format == DrawingFormat::Dxf
+                        ? dxfOf(drawing, plan, settings)
+                        : sheetText(planSheet(drawing, settings), format));
+  }
+  return files;
 }
 
 } // namespace pcl::sedr

@@ -25,6 +25,18 @@ holds(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+inline std::string
+svgOf(const Floorplan& plan, const DrawingSettings& settings = {})
+{
+  return drawFloorplan(plan, {DrawingFormat::Svg}, settings)[0];
+}
+
+inline std::string
+dxfOf(const Floorplan& plan, const DrawingSettings& settings = {})
+{
+  return drawFloorplan(plan, {DrawingFormat::Dxf}, settings)[0];
+}
+
 /** Number of entities of a type on a layer of a DXF. */
 inline std::size_t
 countOf(const std::string& dxf, const std::string& type, const std::string& layer)

@@ -40,7 +40,7 @@ TEST(CeilingPlan, HasTheHeightsAndAreasOfTheSolid)
   vault.base = 2;
   vault.across = vault.up = 3;
   plan.rooms[2].ceiling.curve = std::make_shared<SlabCurve>(vault);
-  const std::string svg = floorplanToSvg(plan, ofCeiling());
+  const std::string svg = svgOf(plan, ofCeiling());
   double area = 0;
   for (const PlanRoom& room : plan.rooms) {
     TriangleMesh solid;
@@ -53,7 +53,7 @@ TEST(CeilingPlan, HasTheHeightsAndAreasOfTheSolid)
   for (const char* text : {">2.50<", ">2.20<", ">2.76<", ">26.6°<", ">eaves 2.00<",
                            ">h 2.00 - 5.00 m<", ">3.50<", ">Reflected ceiling plan<"})
     EXPECT_TRUE(holds(svg, text)) << text;
-  const std::string dxf = floorplanToDxf(plan, ofCeiling());
+  const std::string dxf = dxfOf(plan, ofCeiling());
   EXPECT_NEAR(outlinedArea(dxf), 48 + 36 + 36, 1e-3) << "faces of the solid in plan";
   EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG"), 2u + 4u);
   EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-CNTR"), 2 * 5u) << "2.50 to 4.50";

@@ -63,9 +63,9 @@ TEST(FloorplanDrawing, AnObliqueWallDoesNotTurnTheSheet)
 TEST(FloorplanDrawing, AScaleThatIsAskedForHasThePaperItNeeds)
 {
   const Floorplan plan = planOf(rectangle(0, 0, 17, 10));
-  EXPECT_TRUE(holds(floorplanToSvg(plan), "width=\"420mm\" height=\"297mm\""));
-  EXPECT_TRUE(holds(floorplanToSvg(plan, scaled(100)), "width=\"420mm\""));
-  EXPECT_TRUE(holds(floorplanToSvg(plan, scaled(20)), "width=\"1189mm\""));
+  EXPECT_TRUE(holds(svgOf(plan), "width=\"420mm\" height=\"297mm\""));
+  EXPECT_TRUE(holds(svgOf(plan, scaled(100)), "width=\"420mm\""));
+  EXPECT_TRUE(holds(svgOf(plan, scaled(20)), "width=\"1189mm\""));
   const SheetLayout layout = PlanDrawing(plan, scaled(10), 0).layout;
   EXPECT_EQ(layout.paper, "") << "larger than any";
   EXPECT_NEAR(layout.size.x(), 1740 + 18 + 30, 1e-6) << "with dimensions and margins";
@@ -80,7 +80,7 @@ TEST(FloorplanDrawing, APlanThatStandsAslantIsTurnedUpright)
       frame(plan.rooms[0].boundary.elements[0].end) - frame(Eigen::Vector2d(0, 0));
   EXPECT_NEAR(wall.x(), 120, 1e-6) << "to scale";
   EXPECT_NEAR(wall.y(), 0, 1e-6);
-  EXPECT_TRUE(holds(floorplanToDxf(plan), "11\n5.1961524\n21\n3.0000000\n"));
+  EXPECT_TRUE(holds(dxfOf(plan), "11\n5.1961524\n21\n3.0000000\n"));
 }
 
 /** The length of the far sides of walls in a drawing. */
@@ -102,14 +102,14 @@ TEST(FloorplanDrawing, OuterWallsHaveBothFaces)
   const PlanDrawing assumed(plan, {}, 0);
   EXPECT_NEAR(lengthOf(PlanLayer::Guess, assumed), around + 8 * 0.2, 1e-6);
   EXPECT_EQ(lengthOf(PlanLayer::Outside, assumed), 0);
-  EXPECT_TRUE(holds(floorplanToSvg(plan), "thickness of the wall assumed"));
+  EXPECT_TRUE(holds(svgOf(plan), "thickness of the wall assumed"));
   plan.openings = {
       {OpeningKind::Window, {1, 0}, {{1, 0}}, {2, -0.15}, {1, -0.15}, 1, 2, 0, 0.31}};
   const PlanDrawing seen(plan, {}, 0);
   EXPECT_NEAR(lengthOf(PlanLayer::Outside, seen), around + 8 * 0.31, 1e-6);
   EXPECT_EQ(lengthOf(PlanLayer::Guess, seen), 0);
-  EXPECT_FALSE(holds(floorplanToSvg(plan), "thickness of the wall assumed"));
-  EXPECT_TRUE(holds(floorplanToDxf(plan), "8\nA-WALL-EXTR\n"));
+  EXPECT_FALSE(holds(svgOf(plan), "thickness of the wall assumed"));
+  EXPECT_TRUE(holds(dxfOf(plan), "8\nA-WALL-EXTR\n"));
 }
 
 TEST(FloorplanDrawing, TheTitleBlockIsFilled)
@@ -120,7 +120,7 @@ TEST(FloorplanDrawing, TheTitleBlockIsFilled)
   settings.project = "P-17";
   settings.date = "2024-05-31";
   settings.drawn_by = "EK";
-  const std::string svg = floorplanToSvg(planOf(rectangle(0, 0, 6, 4)), settings);
+  const std::string svg = svgOf(planOf(rectangle(0, 0, 6, 4)), settings);
   for (const char* text :
        {">Mill Lane 14<", ">Smith &amp; Sons<", ">P-17<", ">2024-05-31<", ">EK<"})
     EXPECT_TRUE(holds(svg, text)) << text;
@@ -141,10 +141,10 @@ TEST(FloorplanDrawing, AHeightBelowTheFloorIsNotPrinted)
 {
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));
   plan.rooms[0].details = {facetOf(rectangle(5, 0, 6, 4), slabAt(11.1, -2))}; // to -0.9
-  EXPECT_TRUE(holds(floorplanToSvg(plan), ">h 2.50 m<"));
+  EXPECT_TRUE(holds(svgOf(plan), ">h 2.50 m<"));
   plan.rooms[0].details.clear();
   plan.rooms[0].ceiling = slabAt(-0.1);
-  EXPECT_FALSE(holds(floorplanToSvg(plan), ">h "));
+  EXPECT_FALSE(holds(svgOf(plan), ">h "));
 }
 
 TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
@@ -153,21 +153,30 @@ TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
   Floorplan plan = planOf(rectangle(0, 0, 8, 4));
   plan.rooms[0].details = {facetOf(rectangle(0, 0, 8, 2), slabAt(1, 0, 1)),
                            facetOf(rectangle(0, 2, 8, 4), slabAt(5, 0, -1))};
-  const std::string svg = floorplanToSvg(plan, scaled(50));
+  const std::string svg = svgOf(plan, scaled(50));
   for (const char* text :
        {">ridge 3.00<", ">eaves 1.00<", ">h 1.50<", ">h 2.30<", ">h 1.00 - 3.00 m<"})
     EXPECT_TRUE(holds(svg, text)) << text;
   EXPECT_TRUE(holds(svg, "Dotted: headroom."));
-  const std::string dxf = floorplanToDxf(plan);
+  const std::string dxf = dxfOf(plan);
   EXPECT_EQ(countOf(dxf, "LINE", "A-CLNG-RIDG"), 1u) << "drawn once";
   EXPECT_GT(countOf(dxf, "LINE", "A-CLNG-HEAD"), 0u);
+}
+
+std::vector<DrawnSurfaces>
+surfacesOf(const Floorplan& plan)
+{
+  std::vector<DrawnSurfaces> surfaces;
+  for (const PlanRoom& room : plan.rooms)
+    surfaces.emplace_back(room).findLines(0.01);
+  return surfaces;
 }
 
 TEST(FloorplanDrawing, TiltedWallsHaveTheirHead)
 {
   Floorplan plan = planOf(rectangle(0, 0, 4, 3));
   plan.rooms[0].boundary.elements[0].tilt = -10 * M_PI / 180; // y = 0, out of the room
-  const auto lines = planLines(plan, {}, surfacesOf(plan, 0.01));
+  const auto lines = planLines(plan, {}, surfacesOf(plan));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_NEAR(lines[4].element.start.y(), -2.5 * std::tan(10 * M_PI / 180), 1e-9);
   EXPECT_EQ(lines[4].note, "tilt 10.0°");
@@ -192,7 +201,7 @@ TEST(FloorplanDrawing, TextsTellSizesAndHeights)
                     2.05,
                     0,
                     0.2}};
-  const std::string svg = floorplanToSvg(plan);
+  const std::string svg = svgOf(plan);
   for (const char* text : {">Room 1<", ">47.72 m²<", ">h 2.50 m<", ">Ø 0.40<",
                            ">P1 0.90 x 2.05<", ">2.20<", ">+0.15<", ">+0.30<"})
     EXPECT_TRUE(holds(svg, text)) << text;
@@ -207,7 +216,7 @@ TEST(FloorplanDrawing, AnArrowLeadsUpASlopeOfTheFloor)
   ramp.slab = slabAt(0.4, -0.08); // down along x to 0.16 m less
   plan.rooms[0].floor_details = {ramp};
   const std::string note = "8 %";
-  const auto lines = planLines(plan, {}, surfacesOf(plan, 0.01));
+  const auto lines = planLines(plan, {}, surfacesOf(plan));
   const auto arrow = std::find_if(lines.begin(), lines.end(),
                                   [&](const PlanLine& l) { return l.note == note; });
   ASSERT_NE(arrow, lines.end());
@@ -215,7 +224,7 @@ TEST(FloorplanDrawing, AnArrowLeadsUpASlopeOfTheFloor)
   EXPECT_LT(way.x(), -1);
   EXPECT_NEAR(way.y(), 0, 1e-9);
   EXPECT_TRUE(ramp.contains(arrow->element.start) && ramp.contains(arrow->element.end));
-  EXPECT_TRUE(holds(floorplanToSvg(plan), ">" + note + "<"));
+  EXPECT_TRUE(holds(svgOf(plan), ">" + note + "<"));
 }
 
 TEST(FloorplanDrawing, FacetsOfTheFloorThatDifferByLessThan3CmAreNoLines)
@@ -223,7 +232,7 @@ TEST(FloorplanDrawing, FacetsOfTheFloorThatDifferByLessThan3CmAreNoLines)
   Floorplan plan = planOf(rectangle(0, 0, 8, 6));
   const auto lines = [&](double step) {
     plan.rooms[0].floor_details = {detailOf(rectangle(5, 0, 8, 6), step)};
-    const std::string dxf = floorplanToDxf(plan);
+    const std::string dxf = dxfOf(plan);
     EXPECT_EQ(holds(dxf, "\n+" + std::to_string(step).substr(0, 4) + "\n"),
               step > 0.03);
     return countOf(dxf, "LINE", "A-FLOR-LEVL");
@@ -238,7 +247,7 @@ TEST(FloorplanDrawing, LevelsAreAboveTheUsualFloorOfTheLowestStorey)
   plan.rooms[0].floor = slabAt(0.2);
   plan.rooms.push_back(roomOf(rectangle(8.1, 0, 9, 1), 2.5, 2));
   plan.rooms.back().floor = slabAt(-0.3); // a pit
-  const std::string svg = floorplanToSvg(plan, scaled(20));
+  const std::string svg = svgOf(plan, scaled(20));
   EXPECT_TRUE(holds(svg, ">▼ ±0.00<"));
   EXPECT_TRUE(holds(svg, ">▼ -0.50<"));
 }
@@ -247,18 +256,16 @@ TEST(FloorplanDrawing, WallsHaveNumbersOnlyIfAskedFor)
 {
   DrawingSettings settings;
   const Floorplan plan = planOf(rectangle(0, 0, 8, 6));
-  EXPECT_FALSE(holds(floorplanToSvg(plan, settings), ">1.3<"));
+  EXPECT_FALSE(holds(svgOf(plan, settings), ">1.3<"));
   settings.wall_numbers = true;
-  EXPECT_TRUE(holds(floorplanToSvg(plan, settings), ">1.3<"));
+  EXPECT_TRUE(holds(svgOf(plan, settings), ">1.3<"));
 }
 
 TEST(FloorplanDrawing, TextsWithoutSpaceAreLeftOut)
 {
-  const std::string closet =
-      floorplanToSvg(planOf(rectangle(0, 0, 0.3, 0.3)), scaled(100));
+  const std::string closet = svgOf(planOf(rectangle(0, 0, 0.3, 0.3)), scaled(100));
   EXPECT_FALSE(holds(closet, ">Room 1<"));
-  EXPECT_TRUE(
-      holds(floorplanToSvg(planOf(rectangle(0, 0, 6, 5)), scaled(100)), ">Room 1<"));
+  EXPECT_TRUE(holds(svgOf(planOf(rectangle(0, 0, 6, 5)), scaled(100)), ">Room 1<"));
 }
 
 TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
@@ -272,14 +279,14 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   const PlanDrawing two(plan, sheetOf(storeys[1]), 0);
   EXPECT_EQ(one.layout.frame.shift, two.layout.frame.shift);
   EXPECT_EQ(one.layout.size, two.layout.size);
-  const std::string lower = floorplanToSvg(plan, sheetOf(storeys[0]));
-  const std::string upper = floorplanToSvg(plan, sheetOf(storeys[1]));
+  const std::string lower = svgOf(plan, sheetOf(storeys[0]));
+  const std::string upper = svgOf(plan, sheetOf(storeys[1]));
   EXPECT_TRUE(holds(lower, "ground &amp; more</title>"));
   EXPECT_TRUE(holds(upper, ">attic<"));
   EXPECT_TRUE(holds(lower, "id=\"room_2\"") && !holds(lower, "id=\"room_3\""));
   EXPECT_TRUE(holds(upper, "id=\"room_3\"") && !holds(upper, "id=\"room_2\""));
   EXPECT_TRUE(holds(lower, ">up to room 4<") && holds(upper, ">down to room 2<"));
-  const std::string dxf = floorplanToDxf(plan, sheetOf(storeys[1]));
+  const std::string dxf = dxfOf(plan, sheetOf(storeys[1]));
   EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.2000000\n20\n-1.2000000\n"));
   EXPECT_TRUE(holds(dxf, "\nattic\n"));
   EXPECT_FALSE(holds(dxf, "Room 1\n"));
@@ -287,23 +294,38 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
 
 TEST(FloorplanDxf, HasArcsCirclesAndDetails)
 {
-  EXPECT_TRUE(holds(floorplanToDxf(planOf(bittenRectangle(6, 4, 1))),
+  EXPECT_TRUE(holds(dxfOf(planOf(bittenRectangle(6, 4, 1))),
                     "8\nA-WALL\n100\nAcDbCircle\n10\n3.0000000\n20\n0.0000000\n30\n"
                     "0.0000000\n40\n1.0000000\n100\nAcDbArc\n50\n0.0000000\n51\n"
                     "180.0000000\n"));
-  EXPECT_EQ(countOf(floorplanToDxf(planOf(circle({0, 0}, 1))), "CIRCLE", "A-WALL"), 1u);
+  EXPECT_EQ(countOf(dxfOf(planOf(circle({0, 0}, 1))), "CIRCLE", "A-WALL"), 1u);
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));
   plan.rooms[0].details = {detailOf(rectangle(4, -1, 7, 5), 2.2)};
-  EXPECT_EQ(countOf(floorplanToDxf(plan), "LINE", "A-CLNG"), 1u);
+  EXPECT_EQ(countOf(dxfOf(plan), "LINE", "A-CLNG"), 1u);
+}
+
+TEST(FloorplanDrawing, FilesOfOneDrawingHaveTheDetailOfTheirFormat)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].details = {detailOf(rectangle(2, 1, 3, 2), 2.2)};
+  const DrawingSettings small = scaled(200); // the detail is 5 mm wide
+  const auto files = drawFloorplan(
+      plan, {DrawingFormat::Svg, DrawingFormat::Dxf, DrawingFormat::Svg}, small);
+  EXPECT_EQ(countOf(files[1], "LINE", "A-CLNG"), 4u);
+  EXPECT_EQ(files[1], dxfOf(plan, small));
+  EXPECT_EQ(files[0], svgOf(plan, small));
+  EXPECT_EQ(files[2], files[0]);
+  plan.rooms[0].details.clear();
+  EXPECT_EQ(files[0], svgOf(plan, small)) << "too small to be drawn";
 }
 
 TEST(FloorplanDrawing, APlanWithoutRoomsIsAnEmptyPage)
 {
-  EXPECT_TRUE(holds(floorplanToSvg({}), "</svg>"));
-  EXPECT_FALSE(holds(floorplanToSvg({}), "<path"));
-  EXPECT_TRUE(
-      holds(floorplanToDxf({}), "ENTITIES\n0\nENDSEC\n0\nSECTION\n2\nOBJECTS\n"));
-  EXPECT_EQ(floorplanToPdf({}), floorplanToPdf({}));
+  EXPECT_TRUE(holds(svgOf({}), "</svg>"));
+  EXPECT_FALSE(holds(svgOf({}), "<path"));
+  EXPECT_TRUE(holds(dxfOf({}), "ENTITIES\n0\nENDSEC\n0\nSECTION\n2\nOBJECTS\n"));
+  const std::vector<DrawingFormat> pdf{DrawingFormat::Pdf};
+  EXPECT_EQ(drawFloorplan({}, pdf), drawFloorplan({}, pdf));
 }
 
 } // namespace

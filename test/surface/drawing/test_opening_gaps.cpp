@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "two_storeys.h"
+#include "drawn_plans.h"
 
-#include "sedr_surface/src/drawing/plan_drawing.h"
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
 #include <gtest/gtest.h>
@@ -34,7 +33,7 @@ TEST(OpeningGaps, OfOuterWallsGoThroughTheirWall)
     box.extend(corner);
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector2d(1, 3)));
   EXPECT_TRUE(box.max().isApprox(Eigen::Vector2d(2, 3.4)));
-  EXPECT_NE(floorplanToDxf(plan).find("\n20\n-0.4000000\n"), std::string::npos);
+  EXPECT_NE(dxfOf(plan).find("\n20\n-0.4000000\n"), std::string::npos);
 }
 
 TEST(OpeningGaps, CutTheFacesOfTheirWall)
@@ -87,8 +86,8 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
   plan.openings[0].kind = OpeningKind::Door;
   Floorplan passage = plan;
   passage.openings[0].kind = OpeningKind::Passage;
-  EXPECT_NE(floorplanToSvg(plan), floorplanToSvg(passage));
-  EXPECT_NE(floorplanToDxf(plan), floorplanToDxf(passage));
+  EXPECT_NE(svgOf(plan), svgOf(passage));
+  EXPECT_NE(dxfOf(plan), dxfOf(passage));
   plan.openings[0].hinge = OpeningHinge::Start;
   plan.openings[0].swing = 1;
   EXPECT_TRUE(fillingOf(openingGaps(plan, findWalls(plan))[0]).empty())

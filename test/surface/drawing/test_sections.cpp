@@ -54,11 +54,11 @@ TEST(Sections, ShowRoomsHeightsAndLevels)
   const Floorplan plan = twoStoreys();
   const SectionLine line = sectionThroughRooms(plan);
   EXPECT_NEAR(line.from.y(), line.to.y(), 1e-9) << "it cuts all four rooms";
-  const std::string svg = drawSection(plan, line, DrawingFormat::Svg);
+  const std::string svg = drawSection(plan, line, {DrawingFormat::Svg})[0];
   for (const char* text : {">Room 1<", ">Room 4<", ">h 2.50 m<", ">h 2.40 m<",
                            ">+2.80<", ">0.30<", ">5.20<", ">9.10<"})
     EXPECT_TRUE(holds(svg, text)) << text;
-  EXPECT_NEAR(outlinedArea(drawSection(plan, line, DrawingFormat::Dxf)),
+  EXPECT_NEAR(outlinedArea(drawSection(plan, line, {DrawingFormat::Dxf})[0]),
               (4 + 5) * (2.5 + 2.4), 1e-3);
   EXPECT_FALSE(sectionThroughStairs(plan));
 }
@@ -68,7 +68,7 @@ TEST(Sections, AnOpeningIsAGapInItsWall)
   Floorplan plan = twoStoreys();
   const SectionLine line{{0, 1.5}, {1, 1.5}};
   const auto length = [&] {
-    const std::string dxf = drawSection(plan, line, DrawingFormat::Dxf);
+    const std::string dxf = drawSection(plan, line, {DrawingFormat::Dxf})[0];
     return countOf(dxf, "LINE", "A-WALL");
   };
   const std::size_t closed = length();
@@ -84,8 +84,9 @@ TEST(Sections, AnOpeningIsAGapInItsWall)
        0.1},
       {OpeningKind::Window, {1, 0}, {{1, 3}}, {-0.1, 2}, {-0.1, 1}, 0.9, 2.0, 0, 0.2}};
   EXPECT_EQ(length(), closed + 1) << "the wall above and below the window";
-  EXPECT_EQ(countOf(drawSection(plan, line, DrawingFormat::Dxf), "INSERT", "A-GLAZ"),
-            1u);
+  EXPECT_EQ(
+      countOf(drawSection(plan, line, {DrawingFormat::Dxf})[0], "INSERT", "A-GLAZ"),
+      1u);
 }
 
 TEST(Sections, ShowWhatIsSeenBehindThem)
@@ -103,14 +104,14 @@ TEST(Sections, ShowWhatIsSeenBehindThem)
                     2,
                     0,
                     0.2}};
-  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 1u);
   EXPECT_TRUE(holds(dxf, "A-SECT-BYND\n100\nAcDbLine\n10\n2.0000000\n"));
   EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 4u) << "the window beyond";
-  const std::string back = drawSection(plan, {{2, 1}, {2, 0}}, DrawingFormat::Dxf);
+  const std::string back = drawSection(plan, {{2, 1}, {2, 0}}, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(back, "LINE", "A-SECT-BYND") + countOf(back, "LINE", "A-GLAZ"), 0u);
   const std::string nearer =
-      drawSection(plan, {{0.5, 0}, {0.5, 1}}, DrawingFormat::Dxf);
+      drawSection(plan, {{0.5, 0}, {0.5, 1}}, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(nearer, "LINE", "A-SECT-BYND"), 0u) << "it is before the plane";
 }
 
@@ -121,7 +122,7 @@ TEST(Sections, AFaceHidesWhatIsBehindIt)
   plan.rooms[0].details = {detailOf(rectangle(0.5, 0, 1, 4), 2.2)};
   plan.openings = {
       {OpeningKind::Window, {0, 1}, {{1, 3}}, {-0.1, 2}, {-0.1, 1}, 0.9, 2.3, 0, 0.2}};
-  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 3u);
   EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 1u) << "the near edge of the beam";
 }
@@ -134,7 +135,7 @@ TEST(Sections, BodiesAreWholeAroundRooms)
   plan.rooms[0].floor_details = {detailOf(rectangle(0, 3, 5, 4), 0.3)};
   plan.rooms[0].details = {detailOf(rectangle(0, 1, 5, 1.4), 2.2)};
   plan.rooms[0].columns = {reversed(rectangle(1.8, 2, 2.2, 2.4))};
-  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, DrawingFormat::Dxf);
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(dxf, "HATCH", "A-WALL-PATT"), 1u);
   EXPECT_NEAR(areaOf("HATCH", "A-WALL-PATT", dxf),
               4.4 * 2.9 - 4 * 2.5 + 0.3 * 1 + 0.3 * 0.4 + 2.5 * 0.4, 2e-3);
@@ -150,20 +151,20 @@ TEST(Sections, StairsHaveTheirSteps)
   plan.stairs = {{{1, 3}, {0.5, 1.5}, 0, 2.8, {flight}}};
   const auto line = sectionThroughStairs(plan);
   ASSERT_TRUE(line);
-  const std::string dxf = drawSection(plan, *line, DrawingFormat::Dxf);
+  const std::string dxf = drawSection(plan, *line, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(dxf, "LINE", "A-FLOR-STRS"), 3u + 4u) << "treads and risers";
 }
 
 TEST(Elevations, HaveTheAreaOfTheWalls)
 {
   Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
-  EXPECT_NEAR(outlinedArea(drawElevations(plan, 1, DrawingFormat::Dxf)), 18 * 2.5,
+  EXPECT_NEAR(outlinedArea(drawElevations(plan, 1, {DrawingFormat::Dxf})[0]), 18 * 2.5,
               1e-3);
   plan.rooms[0].ceiling = slabAt(1, 0, 0.5);
-  EXPECT_NEAR(outlinedArea(drawElevations(plan, 1, DrawingFormat::Dxf)),
+  EXPECT_NEAR(outlinedArea(drawElevations(plan, 1, {DrawingFormat::Dxf})[0]),
               5 * 1 + 5 * 3 + 2 * 4 * 2, 1e-3);
   const Floorplan round{{roomOf(circle({0, 0}, 2), 2.5)}};
-  EXPECT_NEAR(outlinedArea(drawElevations(round, 1, DrawingFormat::Dxf)),
+  EXPECT_NEAR(outlinedArea(drawElevations(round, 1, {DrawingFormat::Dxf})[0]),
               4 * M_PI * 2.5, 0.01)
       << "unrolled";
 }
@@ -174,10 +175,10 @@ TEST(Elevations, ShowOpeningsWhereTheyAreSeenFromTheRoom)
   plan.openings = {
       {OpeningKind::Window, {1, 0}, {{1, 0}}, {2, -0.1}, {1, -0.1}, 0.9, 2.1, 0, 0.2}};
   plan.rooms[0].niches = {{rectangle(5, 1, 5.2, 2), slabAt(1), slabAt(2)}};
-  const std::string svg = drawElevations(plan, 1, DrawingFormat::Svg);
+  const std::string svg = drawElevations(plan, 1, {DrawingFormat::Svg})[0];
   for (const char* text : {">W1<", ">1.00 x 1.20<", ">1.1<", ">1.4<", ">18.00<"})
     EXPECT_TRUE(holds(svg, text)) << text;
-  const std::string dxf = drawElevations(plan, 1, DrawingFormat::Dxf);
+  const std::string dxf = drawElevations(plan, 1, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 4u);
   EXPECT_EQ(countOf(dxf, "LINE", "A-WALL-NICH"), 4u);
   // The wall at y = 0 is the last one, from 13 to 18 m; x runs to the left on it.

@@ -46,7 +46,7 @@ TEST(StairDrawing, AFlightIsCutOnTheLowerStoreyOnly)
     EXPECT_EQ(treads, s == 0 ? 7u : 16u) << "up to the break line";
     EXPECT_EQ(slanted, s == 0 ? 4u : 2u) << "arrow and break lines";
   }
-  EXPECT_TRUE(holds(floorplanToDxf(plan, sheetOf(storeys[0])), "A-FLOR-STRS\n"));
+  EXPECT_TRUE(holds(dxfOf(plan, sheetOf(storeys[0])), "A-FLOR-STRS\n"));
 }
 
 TEST(StairDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
@@ -67,7 +67,7 @@ TEST(StairDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
     }
   EXPECT_EQ(treads.size(), 16u) << "seven of the upper one, nine of the lower one";
   EXPECT_EQ(count, 16u) << "no line lies over another one";
-  const std::string sheet = floorplanToSvg(plan, sheetOf(storeys[1]));
+  const std::string sheet = svgOf(plan, sheetOf(storeys[1]));
   EXPECT_TRUE(holds(sheet, ">up<") && holds(sheet, ">down to room 2<"));
 }
 

@@ -15,7 +15,7 @@ planFileNames()
                                  "model.ifc",    "model.glb", "rooms.csv",
                                  "openings.csv", "walls.csv", "floorplan.json"};
   for (const DrawingSheet& sheet : allDrawings({}))
-    names.push_back(sheet.path);
+    names.insert(names.end(), sheet.paths.begin(), sheet.paths.end());
   return names;
 }
 
@@ -55,7 +55,8 @@ writeDrawings(const OutputFolder& folder, const PlanFiles& files)
   settings.origin = document.origin;
   std::vector<DrawingSheet> sheets = allDrawings(document.plan);
   for (DrawingSheet& sheet : sheets)
-    sheet.path = folder.file(sheet.path);
+    for (std::string& path : sheet.paths)
+      path = folder.file(path);
   parallelBlocks(sheets.size(), 1, files.threads, [&](std::size_t k, std::size_t) {
     saveDrawing(sheets[k], document.plan, settings);
   });

@@ -81,18 +81,22 @@ formatOf(const std::string& path)
 }
 
 std::vector<DrawingSheet>
-drawingSheets(const std::string& path, const Floorplan& plan, DrawingView view)
+drawingSheets(const std::vector<std::string>& paths,
+              const Floorplan& plan,
+              DrawingView view)
 {
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   if (storeys.size() <= 1)
-    return {{path, {}, view, {}}};
-  const std::filesystem::path whole(path);
+    return {{paths, {}, view, {}}};
   std::vector<DrawingSheet> sheets;
   for (const PlanStorey& storey : storeys) {
-    std::filesystem::path name = whole.stem();
-    name += "_" + std::to_string(storey.number);
-    name += whole.extension();
-    sheets.push_back({(whole.parent_path() / name).string(), storey, view, {}});
+    sheets.push_back({paths, storey, view, {}});
+    for (std::string& path : sheets.back().paths) {
+      std::filesystem::path name(path);
+      const std::string extension = name.extension();
+      path = name.replace_extension().string() + "_" + std::to_string(storey.number) +
+             extension;
+    }
   }
   return sheets;
 }
@@ -100,17 +104,16 @@ drawingSheets(const std::string& path, const Floorplan& plan, DrawingView view)
 std::vector<DrawingSheet>
 allDrawings(const Floorplan& plan)
 {
-  std::vector<DrawingSheet> all;
-  for (const std::string extension : {".svg", ".pdf", ".dxf"}) {
-    for (const DrawingSheet& sheet : drawingSheets("floorplan" + extension, plan))
-      all.push_back(sheet);
-    for (const DrawingSheet& sheet :
-         drawingSheets("ceiling" + extension, plan, DrawingView::Ceiling))
-      all.push_back(sheet);
-    all.push_back({"section_rooms" + extension, {}, {}, sectionThroughRooms(plan)});
-    if (const auto line = sectionThroughStairs(plan))
-      all.push_back({"section_stairs" + extension, {}, {}, line});
-  }
+  const auto named = [](const std::string& name) {
+    return std::vector{name + ".svg", name + ".pdf", name + ".dxf"};
+  };
+  std::vector<DrawingSheet> all = drawingSheets(named("floorplan"), plan);
+  for (const DrawingSheet& sheet :
+       drawingSheets(named("ceiling"), plan, DrawingView::Ceiling))
+    all.push_back(sheet);
+  all.push_back({named("section_rooms"), {}, {}, sectionThroughRooms(plan)});
+  if (const auto line = sectionThroughStairs(plan))
+    all.push_back({named("section_stairs"), {}, {}, line});
   return all;
 }
 
@@ -119,13 +122,14 @@ saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings se
 {
   settings.storey = sheet.storey ? &*sheet.storey : nullptr;
   settings.view = sheet.view;
-  const DrawingFormat format = formatOf(sheet.path);
-  auto* const write = format == DrawingFormat::Svg   ? &floorplanToSvg
-                      : format == DrawingFormat::Pdf ? &floorplanToPdf
-                                                     : &floorplanToDxf;
-  writeWhole(sheet.path, sheet.section
-                             ? drawSection(plan, *sheet.section, format, settings)
-                             : write(plan, settings));
+  std::vector<DrawingFormat> formats;
+  for (const std::string& path : sheet.paths)
+    formats.push_back(formatOf(path));
+  const std::vector<std::string> files =
+      sheet.section ? drawSection(plan, *sheet.section, formats, settings)
+                    : drawFloorplan(plan, formats, settings);
+  for (std::size_t k = 0; k < files.size(); ++k)
+    writeWhole(sheet.paths[k], files[k]);
 }
 
 } // namespace pcl::sedr::tools

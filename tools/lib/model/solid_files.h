@@ -39,17 +39,17 @@ void checkDrawingOutput(const std::string& path);
 /** @brief Returns the format of a drawing by the extension of its file. */
 DrawingFormat formatOf(const std::string& path);
 
-/** @brief A drawing to write: its file and its content. */
+/** @brief A drawing to write: its files and its content. */
 struct DrawingSheet {
-  std::string path;
+  std::vector<std::string> paths;     ///< one a format, at least one
   std::optional<PlanStorey> storey{}; ///< empty: the whole plan
   DrawingView view = DrawingView::Floor;
   std::optional<SectionLine> section{}; ///< instead of the plan
 };
 
-/** @brief Returns one sheet named `path` for a plan with one storey, else one per
+/** @brief Returns one sheet named `paths` for a plan with one storey, else one per
  * storey with its number before the extension: plan_1.svg, plan_2.svg. */
-std::vector<DrawingSheet> drawingSheets(const std::string& path,
+std::vector<DrawingSheet> drawingSheets(const std::vector<std::string>& paths,
                                         const Floorplan& plan,
                                         DrawingView view = DrawingView::Floor);
 
@@ -58,7 +58,8 @@ std::vector<DrawingSheet> drawingSheets(const std::string& path,
  * seen. */
 std::vector<DrawingSheet> allDrawings(const Floorplan& plan);
 
-/** @brief Writes a drawing. The settings hold but for storey and view. */
+/** @brief Writes a drawing in all of its formats. The settings hold but for storey and
+ * view. */
 void saveDrawing(const DrawingSheet& sheet,
                  const Floorplan& plan,
                  DrawingSettings settings = {});

@@ -99,7 +99,7 @@ drawings(const PlanDocument& file)
                       {"rooms", storey.rooms},
                       {"x", {places(0, 0), places(0, 1), places(0, 2)}},
                       {"y", {places(1, 0), places(1, 1), places(1, 2)}},
-                      {"svg", floorplanToSvg(plan, settings)}});
+                      {"svg", drawFloorplan(plan, {DrawingFormat::Svg}, settings)[0]}});
   }
   return sheets;
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl::sedr {
 
@@ -42,7 +43,9 @@ struct DrawingSettings {
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 
-/** @brief Draws a floor plan as an SVG sheet in millimetres of paper.
+enum class DrawingFormat { Svg, Pdf, Dxf };
+
+/** @brief Draws a floor plan on a sheet, in millimetres of paper.
  *
  * Arcs stay arcs. Walls have their thickness and are filled where both faces were seen.
  * Columns are filled, edges of ceiling details dashed, ridges and valleys dash-dotted.
@@ -60,27 +63,24 @@ struct DrawingSettings {
  * and domes, arrows up slopes with their angle, the height of each part and the area of
  * each ceiling, those of the solid.
  *
- * @param plan fitted plan; without rooms the page is empty */
-std::string floorplanToSvg(const Floorplan& plan, const DrawingSettings& settings = {});
-
-/** @brief Draws the same sheet as a PDF page. */
-std::string floorplanToPdf(const Floorplan& plan, const DrawingSettings& settings = {});
+ * A DXF (AutoCAD 2013, UTF-8) has one unit per metre, in the coordinates of the plan,
+ * with a resolution of 0.1 micrometres. Layers are named after the US National CAD
+ * Standard: A-WALL, A-COLS, A-CLNG, ...; see the page on drawings. Rooms are closed
+ * polylines with bulges, walls and columns LINE, ARC and CIRCLE, openings blocks with
+ * attributes in gaps of their walls, lengths DIMENSION. Text heights are those of the
+ * sheet at its scale. The layout "Sheet" has the title block and shows the model to
+ * scale.
+ *
+ * @param plan fitted plan; without rooms the page is empty
+ * @param formats at least one; what they share is computed once
+ * @return the contents of a file in each format, as of sections and elevations */
+std::vector<std::string> drawFloorplan(const Floorplan& plan,
+                                       const std::vector<DrawingFormat>& formats,
+                                       const DrawingSettings& settings = {});
 
 /** @brief Returns where places of a plan are on its sheet, as shares of width and
  * height from the upper left corner. */
 Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& settings);
-
-/** @brief Writes a floor plan as DXF (AutoCAD 2013, UTF-8), one unit per metre, in the
- * coordinates of the plan, with a resolution of 0.1 micrometres.
- *
- * Layers are named after the US National CAD Standard: A-WALL, A-COLS, A-CLNG, ...; see
- * the page on drawings. Rooms are closed polylines with bulges, walls and columns LINE,
- * ARC and CIRCLE, openings blocks with attributes in gaps of their walls, lengths
- * DIMENSION. Text heights are those of the sheet at its scale.
- * The layout "Sheet" has the title block and shows the model to scale. */
-std::string floorplanToDxf(const Floorplan& plan, const DrawingSettings& settings = {});
-
-enum class DrawingFormat { Svg, Pdf, Dxf };
 
 /** @brief A line in plan that goes on beyond its ends; they must not coincide. */
 struct SectionLine {
@@ -101,17 +101,17 @@ std::optional<SectionLine> sectionThroughStairs(const Floorplan& plan);
  * between them, openings and stairs that it runs through, levels and heights; thin,
  * what is seen behind the cut. Slabs of which one side was seen are drawn 0.2 m thick.
  */
-std::string drawSection(const Floorplan& plan,
-                        const SectionLine& line,
-                        DrawingFormat format,
-                        const DrawingSettings& settings = {});
+std::vector<std::string> drawSection(const Floorplan& plan,
+                                     const SectionLine& line,
+                                     const std::vector<DrawingFormat>& formats,
+                                     const DrawingSettings& settings = {});
 
 /** @brief Draws the walls of a room as seen from it, unrolled, one beside the other,
  * with their openings and niches: outlines are those of the solid.
  * @param room PlanRoom::id; an unknown one gives an empty page */
-std::string drawElevations(const Floorplan& plan,
-                           std::uint32_t room,
-                           DrawingFormat format,
-                           const DrawingSettings& settings = {});
+std::vector<std::string> drawElevations(const Floorplan& plan,
+                                        std::uint32_t room,
+                                        const std::vector<DrawingFormat>& formats,
+                                        const DrawingSettings& settings = {});
 
 } // namespace pcl::sedr
