@@ -40,12 +40,13 @@ saveClassified(const std::string& path,
   const Progress progress("writing the classified scan");
   const StructureModel& model = chain.getModel();
   const ScanVoxels voxels(model, chain.getVoxelSize());
-  saveTagged(path, scan, [&](const Eigen::Vector3f& p) {
+  const auto tag_of = [&](const Eigen::Vector3f& p) {
     const std::size_t i = voxels.of(p);
     return i < model.labels.size()
                ? PointTag{model.labels[i], model.rooms[i], model.owners[i]}
                : PointTag();
-  });
+  };
+  saveTagged(path, scan, tag_of, chain.getNumberOfThreads());
 }
 
 /** @brief Returns the colours of the surfaces, none if the scan has none. */
@@ -60,7 +61,9 @@ coloursOf(const JointScan& scan, const Reconstruction& chain)
     surfaces.emplace_back(model.rooms[i], model.labels[i]);
   const ScanVoxels voxels(model, chain.getVoxelSize());
   const auto voxel_of = [&](const Eigen::Vector3f& p) { return voxels.of(p); };
-  return {*model.cloud, surfaces, medianColours(scan, voxel_of, model.cloud->size())};
+  return {
+      *model.cloud, surfaces,
+      medianColours(scan, voxel_of, model.cloud->size(), chain.getNumberOfThreads())};
 }
 
 } // namespace

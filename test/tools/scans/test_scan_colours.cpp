@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colours/scan_colours.h"
+#include "tagged_scan.h"
 #include "tool_cloud.h"
 #include "tools/sedr_tool_runs.h"
 
@@ -7,10 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <map>
 #include <sstream>
+#include <thread>
 
 namespace {
 
@@ -133,14 +136,34 @@ TEST(MedianColours, AreThoseOfGroupsWhateverTheOrder)
   ASSERT_TRUE(hasColours(joint));
   const auto medians = medianColours(
       joint, [](const Eigen::Vector3f& p) { return static_cast<std::size_t>(p.x()); },
-      2);
+      2, 0);
   ASSERT_EQ(medians.size(), 2u) << "the third group is beyond";
   EXPECT_EQ(medians[0].rgb, painted.at(Label::Floor));
   EXPECT_EQ(medians[1].rgb, painted.at(Label::Wall));
   EXPECT_TRUE(medians[0].is_seen);
   const auto none = medianColours(
-      joint, [](const Eigen::Vector3f&) { return std::size_t{9}; }, 1);
+      joint, [](const Eigen::Vector3f&) { return std::size_t{9}; }, 1, 0);
   EXPECT_FALSE(none[0].is_seen);
+}
+
+TEST_F(ScanColours, AndTagsAreFoundOnTheThreadsGiven)
+{
+  writeFile(in("input.pcd"), paintedPcd(denseScan()));
+  const JointScan scan({in("input.pcd")}, {});
+  const auto own = std::this_thread::get_id();
+  std::atomic<int> elsewhere{0};
+  const auto group_of = [&](const Eigen::Vector3f&) {
+    elsewhere += std::this_thread::get_id() == own ? 0 : 1;
+    return std::size_t{0};
+  };
+  const auto tag_of = [&](const Eigen::Vector3f& p) {
+    return PointTag{static_cast<std::uint32_t>(group_of(p))};
+  };
+  medianColours(scan, group_of, 1, 1);
+  EXPECT_EQ(elsewhere, 0);
+  for (const char* name : {"tagged.las", "tagged.pcd"})
+    saveTagged(in(name), scan, tag_of, 1);
+  EXPECT_EQ(elsewhere, 0);
 }
 
 } // namespace

@@ -73,7 +73,8 @@ hasColours(const JointScan& scan)
 std::vector<SeenColour>
 medianColours(const JointScan& scan,
               const std::function<std::size_t(const Eigen::Vector3f&)>& group_of,
-              std::size_t groups)
+              std::size_t groups,
+              unsigned threads)
 {
   std::vector<ColourSample> samples(groups);
   std::vector<std::size_t> group;
@@ -83,9 +84,9 @@ medianColours(const JointScan& scan,
       continue;
     RowCoordinates coordinates(file->fields(), file->rowSize());
     file->forEachPiece([&](const RowSource::Piece& piece) {
-      const PointView points = coordinates.of(piece.rows, piece.size);
+      const PointView points = coordinates.of(piece.rows, piece.size, threads);
       group.resize(piece.size);
-      parallelFor(piece.size, at_once, 0,
+      parallelFor(piece.size, at_once, threads,
                   [&](std::size_t i) { group[i] = group_of(points[i]); });
       for (std::size_t i = 0; i < piece.size; ++i)
         if (group[i] < groups)
@@ -143,24 +144,25 @@ SurfaceColours::at(const Eigen::Vector3f& place, const Surface& surface) const
 }
 
 std::vector<SeenColour>
-SurfaceColours::ofVertices(const TriangleMesh& mesh) const
+SurfaceColours::ofVertices(const TriangleMesh& mesh, unsigned threads) const
 {
   std::vector<SeenColour> colours(empty() ? 0 : mesh.vertices.size());
   std::vector<Surface> surfaces(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.labels.size(); ++t)
     for (const std::uint32_t vertex : mesh.triangles[t])
       surfaces[vertex] = {mesh.rooms[t], mesh.labels[t]};
-  parallelFor(colours.size(), at_once, 0, [&](std::size_t v) {
+  parallelFor(colours.size(), at_once, threads, [&](std::size_t v) {
     colours[v] = at(mesh.vertices[v].cast<float>(), surfaces[v]);
   });
   return colours;
 }
 
 std::vector<SeenColour>
-SurfaceColours::ofPoints(const pcl::PointCloud<pcl::PointStructure>& points) const
+SurfaceColours::ofPoints(const pcl::PointCloud<pcl::PointStructure>& points,
+                         unsigned threads) const
 {
   std::vector<SeenColour> colours(empty() ? 0 : points.size());
-  parallelFor(colours.size(), at_once, 0, [&](std::size_t i) {
+  parallelFor(colours.size(), at_once, threads, [&](std::size_t i) {
     colours[i] = at(points[i].getVector3fMap(), {points[i].room, points[i].label});
   });
   return colours;

@@ -24,11 +24,13 @@ bool hasColours(const JointScan& scan);
  * channel; those of groups without colours are not seen. At most 15 points of a group
  * are kept, spread over all of them.
  * @param group_of of a place in the frame of the rows; thread-safe
- * @param groups their number; higher ones are left out */
+ * @param groups their number; higher ones are left out
+ * @param threads 0: all processors */
 std::vector<SeenColour>
 medianColours(const JointScan& scan,
               const std::function<std::size_t(const Eigen::Vector3f&)>& group_of,
-              std::size_t groups);
+              std::size_t groups,
+              unsigned threads);
 
 /** @brief The colours of surfaces: of floors, walls, ..., by places on them. */
 class SurfaceColours {
@@ -52,12 +54,13 @@ public:
   SeenColour at(const Eigen::Vector3f& place, const Surface& surface) const;
 
   /** @brief Returns the colours of the vertices of a mesh with labels, empty if nothing
-   * has a colour. */
-  std::vector<SeenColour> ofVertices(const TriangleMesh& mesh) const;
+   * has a colour.
+   * @param threads 0: all processors */
+  std::vector<SeenColour> ofVertices(const TriangleMesh& mesh, unsigned threads) const;
 
   /** @brief Returns the colours of points, empty if nothing has a colour. */
-  std::vector<SeenColour>
-  ofPoints(const pcl::PointCloud<pcl::PointStructure>& points) const;
+  std::vector<SeenColour> ofPoints(const pcl::PointCloud<pcl::PointStructure>& points,
+                                   unsigned threads) const;
 
   /** @brief Returns the median colours of the elements of a solid, empty if nothing has
    * a colour. They are seen if half of the element is. */

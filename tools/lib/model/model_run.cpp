@@ -181,20 +181,21 @@ void
 writePoints(const OutputFolder& folder,
             const Reconstruction& chain,
             const SurfaceColours& colours,
-            bool with_mesh)
+            const ModelSettings& settings)
 {
   const StructureModel& model = chain.getModel();
   const Origin& origin = chain.getOrigin();
   std::vector<std::uint32_t> of_points;
-  for (const auto& [rgb, is_seen] : colours.ofPoints(*model.structure))
+  for (const auto& [rgb, is_seen] :
+       colours.ofPoints(*model.structure, settings.threads))
     of_points.push_back((is_seen ? 1U : 0U) << 24 | rgb[0] << 16 | rgb[1] << 8 |
                         rgb[2]);
   saveStructure(folder.file("structure.pcd"), *model.structureInScanFrame(), origin,
                 of_points);
-  if (!with_mesh)
+  if (settings.no_mesh)
     return;
   const TriangleMesh& mesh = chain.getStages().poisson.getMesh();
-  const std::vector<SeenColour> of_mesh = colours.ofVertices(mesh);
+  const std::vector<SeenColour> of_mesh = colours.ofVertices(mesh, settings.threads);
   writeWhole(folder.file("mesh.ply"),
              model.isMoved() // otherwise no copy is needed
                  ? meshToPly(chain.meshInScanFrame(), originComments(origin), of_mesh)
@@ -296,7 +297,7 @@ makeModel(const ModelSettings& settings,
     const PlanFiles of_plan = planFiles(settings, chain, seen);
     IfcModel ifc;
     const std::function<void()> files[] = {
-        [&] { writePoints(folder, chain, seen, !settings.no_mesh); },
+        [&] { writePoints(folder, chain, seen, settings); },
         [&] { writeSolids(folder, of_plan); },
         [&] { ifc = writeBuildingModel(folder, of_plan); },
         [&] { writeDrawings(folder, of_plan); }, [&] { writePictures(folder, chain); }};

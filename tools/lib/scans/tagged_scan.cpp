@@ -26,11 +26,14 @@ constexpr std::size_t rows_at_once = std::size_t{1} << 12;
 
 /** @brief Returns the tags of the points of a piece. */
 std::vector<PointTag>
-tagsOf(const RowSource::Piece& piece, RowCoordinates& coordinates, const TagOf& tag_of)
+tagsOf(const RowSource::Piece& piece,
+       RowCoordinates& coordinates,
+       const TagOf& tag_of,
+       unsigned threads)
 {
-  const PointView points = coordinates.of(piece.rows, piece.size);
+  const PointView points = coordinates.of(piece.rows, piece.size, threads);
   std::vector<PointTag> tags(piece.size);
-  parallelFor(piece.size, rows_at_once, 0,
+  parallelFor(piece.size, rows_at_once, threads,
               [&](std::size_t i) { tags[i] = tag_of(points[i]); });
   return tags;
 }
@@ -39,9 +42,10 @@ tagsOf(const RowSource::Piece& piece, RowCoordinates& coordinates, const TagOf& 
  * these names. */
 class TaggedRows : public RowSource {
 public:
-  TaggedRows(const RowSource& scan, const TagOf& tag_of)
+  TaggedRows(const RowSource& scan, const TagOf& tag_of, unsigned threads)
       : scan_(scan)
       , tag_of_(tag_of)
+      , threads_(threads)
   {
     const auto add = [this](pcl::PCLPointField field) {
       field.offset = static_cast<pcl::uindex_t>(row_size_);
@@ -72,7 +76,7 @@ public:
     RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
     std::vector<std::uint8_t> rows;
     scan_.forEachPiece([&](const Piece& piece) {
-      const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of_);
+      const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of_, threads_);
       rows.resize(piece.size * row_size_);
       for (std::size_t i = 0; i < piece.size; ++i) {
         std::uint8_t* const to = &rows[i * row_size_];
@@ -89,6 +93,7 @@ public:
 private:
   const RowSource& scan_;
   const TagOf& tag_of_;
+  unsigned threads_;
   std::vector<pcl::PCLPointField> fields_;
   std::vector<std::size_t> from_; ///< offsets in the rows of the scan
   std::size_t row_size_ = 0;
@@ -260,6 +265,7 @@ colourOf(const RowSource& scan)
 void
 addPoints(const ScanFile& scan,
           const TagOf& tag_of,
+          unsigned threads,
           std::ostream& stream,
           LasStream& las)
 {
@@ -271,7 +277,7 @@ addPoints(const ScanFile& scan,
   RowCoordinates coordinates(scan.fields(), scan.rowSize());
   scan.forEachStored(
       0, scan.size(), [&](const RowSource::Piece& piece, const Chunk& stored) {
-        const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of);
+        const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of, threads);
         for (std::size_t i = 0; i < piece.size; ++i) {
           const std::uint8_t* const own = &stored.rows[i * row.size];
           Eigen::Vector3d place;
@@ -299,17 +305,20 @@ checkTaggedOutput(const std::string& path)
 }
 
 void
-saveTagged(const std::string& path, const JointScan& scan, const TagOf& tag_of)
+saveTagged(const std::string& path,
+           const JointScan& scan,
+           const TagOf& tag_of,
+           unsigned threads)
 {
   if (hasExtension(path, ".pcd"))
-    return saveScan(path, TaggedRows(scan, tag_of), *scan.files().front());
+    return saveScan(path, TaggedRows(scan, tag_of, threads), *scan.files().front());
   writeWhole(path, [&](std::ostream& stream) {
     bool has_colours = false;
     for (const auto& file : scan.files())
       has_colours = has_colours || colourOf(*file);
     LasStream las(stream, *scan.files().front(), has_colours);
     for (const auto& file : scan.files())
-      addPoints(*file, tag_of, stream, las);
+      addPoints(*file, tag_of, threads, stream, las);
     if (const std::size_t left_out = las.finish(); left_out > 0)
       warn(std::to_string(left_out) + " points without coordinates are not in '" +
            path + "'");

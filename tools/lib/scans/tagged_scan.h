@@ -30,7 +30,11 @@ void checkTaggedOutput(const std::string& path);
  * with colours): the coordinates of the file itself, exactly if it is LAS, else to 0.1
  * mm; the class of ASPRS (2 ground, 6 building, 1 else), and label, room and owner as
  * extra bytes. Points that are not finite, which LAS does not know, are left out of it,
- * with a warning. Throws ToolError on failure. */
-void saveTagged(const std::string& path, const JointScan& scan, const TagOf& tag_of);
+ * with a warning. Throws ToolError on failure.
+ * @param threads 0: all processors */
+void saveTagged(const std::string& path,
+                const JointScan& scan,
+                const TagOf& tag_of,
+                unsigned threads);
 
 } // namespace pcl::sedr::tools
