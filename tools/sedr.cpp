@@ -63,7 +63,8 @@ coloursOf(const JointScan& scan, const Reconstruction& chain)
   const auto voxel_of = [&](const Eigen::Vector3f& p) { return voxels.of(p); };
   return {
       *model.cloud, surfaces,
-      medianColours(scan, voxel_of, model.cloud->size(), chain.getNumberOfThreads())};
+      medianColours(scan, voxel_of, model.cloud->size(), chain.getNumberOfThreads()),
+      chain.getVoxelSize()};
 }
 
 } // namespace

@@ -146,6 +146,21 @@ TEST(MedianColours, AreThoseOfGroupsWhateverTheOrder)
   EXPECT_FALSE(none[0].is_seen);
 }
 
+TEST(SurfaceColours, AreSeenWithinAVoxelAndTheScatterOfPoints)
+{
+  pcl::PointCloud<pcl::PointXYZ> points;
+  points.emplace_back(0.F, 0.F, 0.F);
+  const SurfaceColours::Surface wall{1, 3};
+  for (const float voxel : {0.05F, 0.01F}) {
+    const SurfaceColours colours(points, {wall}, {{{9, 8, 7}, true}}, voxel);
+    for (const float off : {-0.001F, 0.001F}) {
+      const auto colour = colours.at({0, voxel + 0.025F + off, 0}, wall);
+      EXPECT_EQ(colour.is_seen, off < 0) << voxel;
+      EXPECT_EQ(colour.rgb, (Rgb{9, 8, 7})) << "also where it is filled in";
+    }
+  }
+}
+
 TEST_F(ScanColours, AndTagsAreFoundOnTheThreadsGiven)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));

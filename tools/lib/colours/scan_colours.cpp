@@ -13,6 +13,7 @@ namespace pcl::sedr::tools {
 namespace {
 
 constexpr std::size_t at_once = std::size_t{1} << 12; // rows
+constexpr double scatter = 0.025; // metres, of points about their surface
 
 const pcl::PCLPointField*
 colourField(const ScanFile& scan)
@@ -102,7 +103,9 @@ medianColours(const JointScan& scan,
 
 SurfaceColours::SurfaceColours(const pcl::PointCloud<pcl::PointXYZ>& points,
                                const std::vector<Surface>& surfaces,
-                               const std::vector<SeenColour>& colours)
+                               const std::vector<SeenColour>& colours,
+                               double voxel_size)
+    : near_(voxel_size + scatter)
 {
   std::map<Surface, pcl::PointCloud<pcl::PointXYZ>::Ptr> clouds;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -120,7 +123,6 @@ SurfaceColours::SurfaceColours(const pcl::PointCloud<pcl::PointXYZ>& points,
 SeenColour
 SurfaceColours::at(const Eigen::Vector3f& place, const Surface& surface) const
 {
-  constexpr float near = 0.075F; // metres; at edges the voxel beside has another label
   SeenColour colour;
   float least = std::numeric_limits<float>::infinity(); // squared distance
   const auto search = [&](const Painted& painted) {
@@ -139,7 +141,7 @@ SurfaceColours::at(const Eigen::Vector3f& place, const Surface& surface) const
       for (const auto& [other, painted] : of_surface_)
         if (other.second == surface.second || (is_any && std::isinf(least)))
           search(painted);
-  colour.is_seen = least <= near * near;
+  colour.is_seen = std::sqrt(least) <= near_;
   return colour;
 }
 

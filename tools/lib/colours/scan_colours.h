@@ -41,16 +41,18 @@ public:
   using Surface = std::pair<std::uint32_t, std::uint32_t>;
 
   /** @param surfaces of the points; only those of the structure are used
-   * @param colours of the points; only those that were seen are used */
+   * @param colours of the points; only those that were seen are used
+   * @param voxel_size of the points, metres */
   SurfaceColours(const pcl::PointCloud<pcl::PointXYZ>& points,
                  const std::vector<Surface>& surfaces,
-                 const std::vector<SeenColour>& colours);
+                 const std::vector<SeenColour>& colours,
+                 double voxel_size);
 
   /** @brief Returns whether nothing has a colour. */
   bool empty() const { return of_surface_.empty(); }
 
   /** @brief Returns the colour of the nearest point of the surface. It is seen if the
-   * point is as near as those of one voxel; else it is filled in. Thread-safe. */
+   * point is within a voxel and 2.5 cm; else it is filled in. Thread-safe. */
   SeenColour at(const Eigen::Vector3f& place, const Surface& surface) const;
 
   /** @brief Returns the colours of the vertices of a mesh with labels, empty if nothing
@@ -74,6 +76,7 @@ private:
   };
 
   std::map<Surface, Painted> of_surface_;
+  double near_ = 0; ///< metres
 };
 
 } // namespace pcl::sedr::tools

@@ -146,8 +146,9 @@ private:
       surfaces.emplace_back(cloud.room[i], cloud.label[i]);
       colours.push_back({{blue[2], blue[1], blue[0]}, seen[i] != 0});
     }
-    return colours.empty() ? SurfaceColours()
-                           : SurfaceColours(*cloud.points, surfaces, colours);
+    return colours.empty()
+               ? SurfaceColours()
+               : SurfaceColours(*cloud.points, surfaces, colours, before_.voxelSize());
   }
 
   /** @brief Returns whether a file that is not written any more was of the plan before:
