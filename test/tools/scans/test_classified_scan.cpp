@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_writer.h"
-#include "scan_file.h"
+#include "tagged_scan.h"
 #include "tool_cloud.h"
+#include "tool_error.h"
 #include "tools/sedr_tool_runs.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +73,7 @@ TEST_F(ClassifiedScan, OfLasHasAllPointsInTheirOrderAndPlacesWithClassAndExtraBy
     EXPECT_EQ(bytes[descriptor + 192 * k + 2], type);
     EXPECT_STREQ(&bytes[descriptor + 192 * k + 4], name);
   }
+  EXPECT_STREQ(&bytes[descriptor + 160], "1ceil 2floor 3wall 4detail 5col");
   std::size_t right = 0;
   std::size_t furniture = 0;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
@@ -136,6 +138,31 @@ TEST_F(ClassifiedScan, OfSeveralFilesHasThemOneBehindTheOther)
   const ToolCloud cloud = loadCloud(in("out.las"));
   EXPECT_NEAR((*cloud.points)[half - 1].y, first.points.back().y, 6e-5);
   EXPECT_NEAR((*cloud.points)[half].y, second.points[1].y, 6e-5);
+}
+
+TEST_F(ClassifiedScan, OfLasRefusesRoomsAndPlacesBeyondItsIntegers)
+{
+  RoomScan scan = scanOf();
+  const auto refusal = [&](std::uint32_t room) -> std::string {
+    writeFile(in("input.pcd"), scan.pcd(false));
+    const auto tag_of = [&](const Eigen::Vector3f&) { return PointTag{3, 1, room}; };
+    try {
+      saveTagged(in("out.las"), JointScan({in("input.pcd")}, {}), tag_of, 0);
+      return {};
+    }
+    catch (const ToolError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal(65535), "");
+  EXPECT_NE(refusal(65536).find("room 65536 has no number of 16 bits"),
+            std::string::npos);
+  scan.points.front().x = 0;
+  scan.points.back().x = -250000; // in steps of 0.1 mm
+  EXPECT_NE(refusal(1).find("in steps of 0.0001 reaches 214748 units of the scan from "
+                            "x = 0, but a point is at -250000"),
+            std::string::npos)
+      << refusal(1);
 }
 
 TEST_F(ClassifiedScan, DoesNotReplaceTheScan)

@@ -7,6 +7,7 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/field_access.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel_for.h"
 #include <pcl/sedr_filters/structure_label.h>
 
@@ -132,15 +133,20 @@ public:
       ++left_out_;
       return;
     }
+    const std::uint32_t room = std::max(tag.room, tag.owner);
+    if (room > std::numeric_limits<std::uint16_t>::max())
+      throw ToolError("room " + std::to_string(room) +
+                      " has no number of 16 bits, as LAS needs: write .pcd");
     bytes_.clear();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       const double steps = std::round((place[a] - shift_[axis]) / scale_[axis]);
-      if (std::abs(steps) > std::numeric_limits<std::int32_t>::max())
-        throw ToolError("LAS cannot hold a point " +
-                        std::to_string(std::abs(place[a] - shift_[axis])) +
-                        " from the first one, in steps of " +
-                        std::to_string(scale_[axis]));
+      constexpr double most = std::numeric_limits<std::int32_t>::max();
+      if (std::abs(steps) > most)
+        throw ToolError(formatText("LAS in steps of %g reaches %.0f units of the scan "
+                                   "from %c = %.0f, but a point is at %.0f: write .pcd",
+                                   scale_[axis], most * scale_[axis], "xyz"[axis],
+                                   shift_[axis], place[a]));
       put(static_cast<std::int32_t>(steps));
     }
     bounds_.extend(place);
@@ -229,7 +235,7 @@ private:
     put(std::uint16_t{4}); // extra bytes
     put(all_descriptors);
     putText("", 32);
-    const std::array<const char*, 3> texts{"0 other 1 ceiling 2 floor 3 wall",
+    const std::array<const char*, 3> texts{"1ceil 2floor 3wall 4detail 5col",
                                            "room of the label, 0 none",
                                            "room around the point, 0 none"};
     for (std::size_t k = 0; k < tag_names.size(); ++k) {
