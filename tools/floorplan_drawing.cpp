@@ -120,7 +120,8 @@ main(int argc, char** argv)
     settings.view =
         is_ceiling ? pcl::sedr::DrawingView::Ceiling : pcl::sedr::DrawingView::Floor;
     if (!section.empty()) {
-      saveDrawing({{output}, {}, {}, sectionOf(section, drawn)}, drawn, settings);
+      if (!saveDrawing({{output}, {}, {}, sectionOf(section, drawn)}, drawn, settings))
+        throw ToolError("the section " + section + " cuts no room of the plan");
       return Done;
     }
     if (room > 0) {

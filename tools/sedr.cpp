@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -35,11 +36,11 @@ checkClassified(const std::string& path, const std::vector<std::string>& inputs)
 void
 saveClassified(const std::string& path,
                const JointScan& scan,
+               const ScanVoxels& voxels,
                const Reconstruction& chain)
 {
   const Progress progress("writing the classified scan");
   const StructureModel& model = chain.getModel();
-  const ScanVoxels voxels(model, chain.getVoxelSize());
   const auto tag_of = [&](const Eigen::Vector3f& p) {
     const std::size_t i = voxels.of(p);
     return i < model.labels.size()
@@ -49,17 +50,14 @@ saveClassified(const std::string& path,
   saveTagged(path, scan, tag_of, chain.getNumberOfThreads());
 }
 
-/** @brief Returns the colours of the surfaces, none if the scan has none. */
+/** @brief Returns the colours that a scan gives its surfaces. */
 SurfaceColours
-coloursOf(const JointScan& scan, const Reconstruction& chain)
+coloursOf(const JointScan& scan, const ScanVoxels& voxels, const Reconstruction& chain)
 {
   const StructureModel& model = chain.getModel();
-  if (!hasColours(scan))
-    return {};
   std::vector<SurfaceColours::Surface> surfaces;
   for (std::size_t i = 0; i < model.labels.size(); ++i)
     surfaces.emplace_back(model.rooms[i], model.labels[i]);
-  const ScanVoxels voxels(model, chain.getVoxelSize());
   const auto voxel_of = [&](const Eigen::Vector3f& p) { return voxels.of(p); };
   return {
       *model.cloud, surfaces,
@@ -113,11 +111,16 @@ main(int argc, char** argv)
       chain.setScanPositions(scan->positions());
       return scan->size();
     };
-    const auto seen = [&] { return coloursOf(*scan, chain); };
-    const int code = colours == "scan" ? makeModel(settings, chain, open, seen)
-                                       : makeModel(settings, chain, open);
+    std::optional<ScanVoxels> voxels; // of the thinned scan, for colours and classes
+    const auto seen = [&] {
+      const bool is_painted = colours == "scan" && hasColours(*scan);
+      if (is_painted || !classified.empty())
+        voxels.emplace(chain.getModel(), chain.getVoxelSize());
+      return is_painted ? coloursOf(*scan, *voxels, chain) : SurfaceColours();
+    };
+    const int code = makeModel(settings, chain, open, seen);
     if (!classified.empty())
-      saveClassified(classified, *scan, chain);
+      saveClassified(classified, *scan, *voxels, chain);
     return code;
   });
 }

@@ -189,7 +189,8 @@ TEST_F(StoreyDrawings, SectionsAndElevationsAreDrawnInstead)
   EXPECT_NE(bytesOf(in("out.svg")).find(">3.1<"), std::string::npos);
   for (const Strings& wrong :
        {Strings{"--section", "stairs"}, Strings{"--section", "1,2,1,2"},
-        Strings{"--section", "1,2,3"}, Strings{"--elevations", "9"}})
+        Strings{"--section", "1,2,3"}, Strings{"--section", "50,50,51,50"},
+        Strings{"--elevations", "9"}})
     EXPECT_EQ(draw(wrong).exit_code, 1) << wrong[1];
 }
 

@@ -8,14 +8,14 @@ namespace pcl::sedr {
 
 ScanVoxels::ScanVoxels(const StructureModel& model, double leaf)
     : model_(model)
+    , to_building_(model.levelFrame().to(model.frame))
     , leaf_(leaf)
 {
-  const BuildingFrame to_building = model.levelFrame().to(model.frame);
   const StructureModel::Cloud& cloud = *model.cloud;
   points_.reserve(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i)
     points_.emplace_back(
-        voxelOf(to_building.toBuilding(cloud[i].getVector3fMap().cast<double>())),
+        voxelOf(to_building_.toBuilding(cloud[i].getVector3fMap().cast<double>())),
         static_cast<std::uint32_t>(i));
   std::sort(points_.begin(), points_.end());
 }
@@ -54,10 +54,8 @@ ScanVoxels::of(const Eigen::Vector3f& p) const
       const std::size_t near = at(beside);
       if (near == none)
         continue;
-      const Eigen::Vector3d mean =
-          model_.levelFrame()
-              .to(model_.frame)
-              .toBuilding((*model_.cloud)[near].getVector3fMap().cast<double>());
+      const Eigen::Vector3d mean = to_building_.toBuilding(
+          (*model_.cloud)[near].getVector3fMap().cast<double>());
       const double border = leaf_ * (voxel[axis] + (step < 0 ? 0 : 1));
       if (std::abs(mean[static_cast<Eigen::Index>(axis)] - border) < rounding)
         return near;

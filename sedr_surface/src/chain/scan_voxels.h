@@ -30,6 +30,7 @@ private:
   Voxel voxelOf(const Eigen::Vector3d& p) const;
 
   const StructureModel& model_;
+  BuildingFrame to_building_; ///< from that of the results
   double leaf_;
   std::vector<std::pair<Voxel, std::uint32_t>> points_; ///< sorted
 };

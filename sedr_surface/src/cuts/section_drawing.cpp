@@ -257,6 +257,10 @@ drawSection(const Floorplan& plan,
             const std::vector<DrawingFormat>& formats,
             const DrawingSettings& settings)
 {
+  if (std::all_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+        return rangesIn(room.boundary, line).empty();
+      }))
+    return {};
   Floorplan numbered = plan;
   numberOpenings(numbered);
   return written(sectionOf(numbered, line, settings), formats, settings);

@@ -60,7 +60,7 @@ void
 writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
 {
   const IfcRoom& written = document.rooms[r];
-  const PlanRoom& room = *written.room;
+  const PlanRoom& room = written.room;
   const PlanLoop& column = room.columns[c];
   const Eigen::Vector2d middle = boundsOf(column).center();
   const double bottom = room.floor.heightAt(middle);
@@ -118,7 +118,7 @@ writeDetails(IfcDocument& document)
 {
   for (std::size_t r = 0; r < document.rooms.size(); ++r) {
     const IfcRoom& written = document.rooms[r];
-    const PlanRoom& room = *written.room;
+    const PlanRoom& room = written.room;
     for (std::size_t c = 0; c < room.columns.size(); ++c)
       if (!isIsland(room, room.columns[c]))
         writeColumn(document, r, c);

@@ -48,10 +48,7 @@ void
 IfcDocument::addRooms()
 {
   for (const PlanRoom& room : plan.rooms) {
-    rooms.emplace_back();
-    IfcRoom& added = rooms.back();
-    added.room = &room;
-    added.report = extrudeRoom(room, {}, added.solid, added.elements);
+    const IfcRoom& added = rooms.emplace_back(room);
     if (added.solid.empty())
       model.warnings.push_back(warningOf(WarningKind::IfcLoss,
                                          "no body in the IFC: " + added.report.problem,
@@ -135,7 +132,7 @@ IfcDocument::addStoreys(StepRef building, StepRef building_placement)
   if (!refs.empty())
     relate("IFCRELAGGREGATES", "storeys of building", building, refs);
   for (IfcRoom& room : rooms)
-    room.storey = index_of[room.room->id];
+    room.storey = index_of[room.room.id];
 }
 
 StepRef

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../overhead/ceiling_faces.h"
 #include "ifc_shapes.h"
 #include "step_file.h"
 
 #include <pcl/sedr_surface/floorplan_ifc.h>
-#include <pcl/sedr_surface/room_solid.h>
 
 #include <cmath>
 #include <map>
@@ -26,13 +26,10 @@ struct Quantity {
 };
 
 /** @brief A room and the entities written for it so far. */
-struct IfcRoom {
-  const PlanRoom* room = nullptr;
+struct IfcRoom : CeilingFaces {
+  using CeilingFaces::CeilingFaces;
   std::size_t storey = 0; ///< index
   StepRef space;
-  TriangleMesh solid;
-  std::vector<SolidElement> elements; ///< of its solid
-  RoomSolidReport report;
 };
 
 /** @brief A storey and the entities written for it so far. */

@@ -248,7 +248,7 @@ writePassage(IfcDocument& document, const PlanOpening& opening, const std::strin
     return false;
   StepRef element;
   for (std::size_t r = 0; r < document.rooms.size(); ++r) {
-    const PlanRoom& room = *document.rooms[r].room;
+    const PlanRoom& room = document.rooms[r].room;
     if (room.id != opening.rooms[0] && room.id != opening.rooms[1])
       continue;
     const std::size_t storey = document.rooms[r].storey;

@@ -76,7 +76,7 @@ public:
     for (std::size_t r = 0; r < document_.rooms.size(); ++r)
       writeFloor(r);
     for (std::size_t r = 0; r < document_.rooms.size(); ++r) {
-      if (covered_[r] < document_.rooms[r].room->area() / 2)
+      if (covered_[r] < document_.rooms[r].room.area() / 2)
         writeCeiling(r);
       for (const auto& [name, slab] : slab_above_[r])
         writeBoundary(document_, r, name, slab);
@@ -103,7 +103,7 @@ private:
                           const char* kind)
   {
     const IfcRoom& written = document_.rooms[r];
-    const PlanRoom& room = *written.room;
+    const PlanRoom& room = written.room;
     const std::string name = nameIn(room, part);
     const auto level = levelOf(face, boundsOf(room.boundary));
     IfcBody body;
@@ -139,7 +139,7 @@ private:
   void writeFloor(std::size_t r)
   {
     const IfcRoom& written = document_.rooms[r];
-    const PlanRoom& room = *written.room;
+    const PlanRoom& room = written.room;
     const SlabBelow below = slabBelow(document_.plan, boxes_, r);
     const bool is_assumed = below.rooms.empty();
     std::vector<std::string> parts{nameIn(room, "floor")};
@@ -160,7 +160,7 @@ private:
 
   void writeCeiling(std::size_t r)
   {
-    const PlanRoom& room = *document_.rooms[r].room;
+    const PlanRoom& room = document_.rooms[r].room;
     const bool has_recess =
         std::any_of(room.details.begin(), room.details.end(),
                     [&](const PlanDetail& d) { return sideOf(d, room.ceiling) > 0; });
@@ -173,7 +173,7 @@ private:
   std::vector<std::string> ceilingParts(std::size_t r) const
   {
     const IfcRoom& written = document_.rooms[r];
-    const PlanRoom& room = *written.room;
+    const PlanRoom& room = written.room;
     std::vector<std::string> parts;
     for (const SolidElement& element : written.elements)
       if (element.label == StructureLabel::Ceiling)
@@ -196,7 +196,7 @@ private:
     for (const std::size_t t : triangles)
       for (int k = 0; k < 3; ++k)
         end = std::max(end, sign * written.solid.corner(t, k).z());
-    const bool has_slopes = hasSlopingCeiling(*written.room);
+    const bool has_slopes = hasSlopingCeiling(written.room);
     return lowered(prismOn(written.solid, triangles,
                            [&](const Eigen::Vector3d& p) {
                              return has_slopes ? p.z() + thickness

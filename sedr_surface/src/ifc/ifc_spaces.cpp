@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../schedule/room_row.h"
 #include "ifc_parts.h"
 #include "level_slab.h"
 
@@ -38,7 +39,7 @@ std::optional<Prism>
 prismOf(const IfcRoom& written)
 {
   constexpr double same_volume = 0.0005;
-  const PlanRoom& room = *written.room;
+  const PlanRoom& room = written.room;
   if (!room.details.empty() || !room.floor_details.empty() || !room.niches.empty())
     return std::nullopt;
   const Eigen::AlignedBox2d box = boundsOf(room.boundary);
@@ -83,10 +84,10 @@ largestResidual(const PlanRoom& room)
 void
 describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 {
-  const PlanRoom& room = *written.room;
+  const PlanRoom& room = written.room;
   const RoomHeights heights = heightsOf(room);
   const RoomRow row =
-      roomRow(document.plan, room, document.storeys[written.storey].storey.name,
+      roomRow(document.plan, written, document.storeys[written.storey].storey.name,
               written.report.volume > 0 ? written.report.volume
                                         : volumeOf(room, heights.high - heights.low));
   document.model.schedules.rooms.push_back(row);
@@ -119,7 +120,7 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 std::vector<PlanLoop>
 floorTriangles(const IfcRoom& written)
 {
-  const std::string floor = nameIn(*written.room, "floor");
+  const std::string floor = nameIn(written.room, "floor");
   if (prismOf(written))
     return {};
   return inPlan(written.solid, -1, [&](std::size_t t) {
@@ -142,7 +143,7 @@ void
 writeSpaces(IfcDocument& document)
 {
   for (IfcRoom& written : document.rooms) {
-    const PlanRoom& room = *written.room;
+    const PlanRoom& room = written.room;
     IfcStorey& storey = document.storeys[written.storey];
     const double ground = document.groundOf(written.storey);
     const std::string name = nameIn(room, "space");
@@ -176,7 +177,7 @@ writeBoundary(IfcDocument& document,
               const char* kind)
 {
   const std::string name =
-      nameIn(*document.rooms[room].room, "boundary") + " at " + element_name;
+      nameIn(document.rooms[room].room, "boundary") + " at " + element_name;
   document.step.add("IFCRELSPACEBOUNDARY1STLEVEL",
                     {document.guid(name), none, "1stLevel", none,
                      document.rooms[room].space, element, none, symbol(kind),

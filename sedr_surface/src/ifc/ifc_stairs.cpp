@@ -52,7 +52,7 @@ writeStairs(IfcDocument& document)
   for (const PlanStair& stair : document.plan.stairs) {
     const auto room = std::find_if(
         document.rooms.begin(), document.rooms.end(), [&](const IfcRoom& r) {
-          return r.room->id == stair.rooms[stair.rooms[0] == 0 ? 1 : 0];
+          return r.room.id == stair.rooms[stair.rooms[0] == 0 ? 1 : 0];
         });
     if (stair.flights.empty() || room == document.rooms.end())
       continue;

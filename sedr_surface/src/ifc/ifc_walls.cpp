@@ -206,8 +206,8 @@ endAtBodies(const IfcDocument& document, const WallSite& site, WrittenWall& writ
   };
   for (const std::size_t r : site.near) {
     const IfcRoom& room = document.rooms[r];
-    const bool is_beside = shareHeights(*room.room, plan.rooms[written.wall.face.room]);
-    if (!is_beside && heightsOf(*room.room).low > written.bottom)
+    const bool is_beside = shareHeights(room.room, plan.rooms[written.wall.face.room]);
+    if (!is_beside && heightsOf(room.room).low > written.bottom)
       continue;
     for (const PlanLoop& part :
          is_beside ? floorTriangles(room) : topTriangles(room, isOpen)) {

@@ -8,8 +8,6 @@
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/curves/contour.h"
 
-#include <pcl/sedr_surface/room_solid.h>
-
 #include <algorithm>
 #include <map>
 
@@ -95,8 +93,7 @@ CeilingFaces::CeilingFaces(const PlanRoom& of)
     : room(of)
     , faces(of.details.size() + 1)
 {
-  std::vector<SolidElement> elements;
-  extrudeRoom(room, {}, solid, elements);
+  report = extrudeRoom(room, {}, solid, elements);
   const std::string start = "room_" + std::to_string(room.id) + "_";
   std::map<std::string, std::size_t> numbers{{start + "ceiling", 0}};
   for (std::size_t d = 1; d <= room.details.size(); ++d)

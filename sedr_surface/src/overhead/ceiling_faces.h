@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
+#include <pcl/sedr_surface/room_solid.h>
 
 #include <cstddef>
 #include <string>
@@ -19,6 +19,8 @@ struct CeilingFaces {
 
   const PlanRoom& room;
   TriangleMesh solid;
+  std::vector<SolidElement> elements; ///< of the solid
+  RoomSolidReport report;
   /** Triangles of the main ceiling, then of each detail. */
   std::vector<std::vector<std::size_t>> faces;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../overhead/ceiling_faces.h"
+#include "room_row.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -192,12 +192,12 @@ leafOf(const PlanOpening& opening)
 
 RoomRow
 roomRow(const Floorplan& plan,
-        const PlanRoom& room,
+        const CeilingFaces& ceiling,
         const std::string& storey,
         double volume)
 {
+  const PlanRoom& room = ceiling.room;
   const ClearHeight height = clearHeight(room);
-  const CeilingFaces ceiling(room);
   const auto [lowest, highest] = ceiling.solid.empty()
                                      ? std::pair(height.least, height.greatest)
                                      : heightRange(ceiling); // as on the sheet

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
+#include "sedr_surface/src/schedule/room_row.h"
 
 #include <pcl/sedr_surface/schedules.h>
 
@@ -19,7 +20,7 @@ TEST(Schedules, HeadroomBelowASlopeIsInClosedForm)
   plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 0, 7));
   plan.rooms[0].name = "attic";
   plan.rooms[0].ceiling = slabAt(1, 0.5); // from 1 m at x = 0 to 3 m at x = 4
-  const RoomRow row = roomRow(plan, plan.rooms[0], "top", 24);
+  const RoomRow row = roomRow(plan, CeilingFaces(plan.rooms[0]), "top", 24);
   EXPECT_EQ(row.id, 7U);
   EXPECT_EQ(row.name, "attic");
   EXPECT_EQ(row.storey, "top");

@@ -117,7 +117,7 @@ allDrawings(const Floorplan& plan)
   return all;
 }
 
-void
+bool
 saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings settings)
 {
   settings.storey = sheet.storey ? &*sheet.storey : nullptr;
@@ -130,6 +130,7 @@ saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings se
                     : drawFloorplan(plan, formats, settings);
   for (std::size_t k = 0; k < files.size(); ++k)
     writeWhole(sheet.paths[k], files[k]);
+  return !files.empty();
 }
 
 } // namespace pcl::sedr::tools

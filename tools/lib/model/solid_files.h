@@ -59,8 +59,8 @@ std::vector<DrawingSheet> drawingSheets(const std::vector<std::string>& paths,
 std::vector<DrawingSheet> allDrawings(const Floorplan& plan);
 
 /** @brief Writes a drawing in all of its formats. The settings hold but for storey and
- * view. */
-void saveDrawing(const DrawingSheet& sheet,
+ * view. Returns false, and writes nothing, if its section cuts no room. */
+bool saveDrawing(const DrawingSheet& sheet,
                  const Floorplan& plan,
                  DrawingSettings settings = {});
 

@@ -100,6 +100,7 @@ std::optional<SectionLine> sectionThroughStairs(const Floorplan& plan);
  * the cut of the solids of all rooms, exact but for chords of arcs, walls and slabs
  * between them, openings and stairs that it runs through, levels and heights; thin,
  * what is seen behind the cut. Slabs of which one side was seen are drawn 0.2 m thick.
+ * The line goes on beyond both ends; empty if it cuts no room.
  */
 std::vector<std::string> drawSection(const Floorplan& plan,
                                      const SectionLine& line,

@@ -97,14 +97,6 @@ SurfaceAccuracy accuracyOf(const PlanOpening& opening);
  * does: "left" or "right", where its hinges are; "double"; "" if it is not known. */
 std::string leafOf(const PlanOpening& opening);
 
-/** @brief Returns the row of a room.
- * @param storey its name
- * @param volume of its solid */
-RoomRow roomRow(const Floorplan& plan,
-                const PlanRoom& room,
-                const std::string& storey,
-                double volume);
-
 /** @brief Returns the rows of the openings, by kind and number.
  * @param plan with numbers, see numberOpenings() */
 std::vector<OpeningRow> openingRows(const Floorplan& plan);
