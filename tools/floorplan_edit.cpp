@@ -55,12 +55,7 @@ main(int argc, char** argv)
       throw ToolError("there is no edit to do, such as --name 3=Kitchen; "
                       "pcl_floorplan_edit -h tells all");
     std::vector<std::string> done;
-    const auto edit = [&](PlanEditor& editor) {
-      done = edits.apply(editor);
-      if (editor.getFloorplan().rooms.empty())
-        throw ToolError("no room is left");
-      return done;
-    };
+    const auto edit = [&](PlanEditor& editor) { return done = edits.apply(editor); };
     if (is_folder) {
       const auto kept = undo ? undoEdit(plan) : editModel(plan, edit);
       done.push_back((undo ? "the plan is the one before the last edits; " : "") +

@@ -230,6 +230,7 @@ std::vector<std::string>
 EditOptions::apply(PlanEditor& editor)
 {
   std::vector<std::string> done;
+  std::vector<std::string> warnings; // told if no edit fails
   for (const Kind& kind : kinds_) {
     if (kind.given == none)
       continue;
@@ -245,10 +246,14 @@ EditOptions::apply(PlanEditor& editor)
       done.push_back(editor.getSentence());
       for (const std::string& warning : editor.getWarnings()) {
         done.back() += "; " + warning;
-        warn(option + edit + ": " + warning);
+        warnings.push_back(option + edit + ": " + warning);
       }
     }
   }
+  if (editor.getFloorplan().rooms.empty())
+    throw ToolError("no room is left");
+  for (const std::string& warning : warnings)
+    warn(warning);
   return done;
 }
 
