@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -114,9 +113,11 @@ public:
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
     expand(every, nullptr, 4);
-    prune();
-    shares_prices_ = true;
-    expand(every, nullptr, 4);
+    for (bool goes_on = true; goes_on;) {
+      const bool is_pruned = prune();
+      goes_on = expand(every, nullptr, 4).first < 0 || is_pruned || !shares_prices_;
+      shares_prices_ = true;
+    }
   }
 
   const std::vector<int>& labels() const { return labels_; }
@@ -255,26 +256,19 @@ private:
     return changes;
   }
 
-  /** @brief Leaves lines out, those first of which least is used, while that lowers the
-   * energy. */
-  void prune()
+  /** @brief Leaves lines out, those first of which least is used, where that lowers the
+   * energy. Returns whether there were any. */
+  bool prune()
   {
-    constexpr int rounds = 2;
-    for (int round = 0; round < rounds; ++round) {
-      std::map<std::size_t, double> used;
-      for (std::size_t b = 0; b < borders_.size(); ++b)
-        if (isWall(b))
-          used[borders_[b].line] += borders_[b].length();
-      std::vector<std::pair<double, std::size_t>> order;
-      for (const auto& [line, length] : used)
-        order.emplace_back(length, line);
-      std::sort(order.begin(), order.end());
-      bool is_better = false;
-      for (const auto& [length, line] : order)
-        is_better = tryWithout(line) || is_better;
-      if (!is_better)
-        break;
-    }
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t line = 0; line < uses_.size(); ++line)
+      if (uses_[line].borders > 0)
+        order.emplace_back(uses_[line].length, line);
+    std::sort(order.begin(), order.end());
+    bool is_better = false;
+    for (const auto& [length, line] : order)
+      is_better = tryWithout(line) || is_better;
+    return is_better;
   }
 
   /** @brief Returns the cells within reach of the walls on a line. */

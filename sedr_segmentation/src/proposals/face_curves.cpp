@@ -187,9 +187,10 @@ private:
 
   double costOf(const FaceCurve& found) const
   {
-    return found.curve.isCircle() ? costs_.circle
+    const double chance = costs_.chance * stray_;
+    return found.curve.isCircle() ? costs_.circle + chance
            : found.is_main        ? costs_.line
-                                  : costs_.line + costs_.direction / found.shared;
+                           : costs_.line + (costs_.direction + chance) / found.shared;
   }
 
   static constexpr double step = 0.1; ///< metres
