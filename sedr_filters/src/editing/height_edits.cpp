@@ -154,7 +154,8 @@ PlanEditor::setStorey(std::uint32_t number, double z)
       if (isOf(plan.rooms[r].id))
         plan.rooms[r] = raised.rooms[r];
     for (std::size_t o = 0; o < plan.openings.size(); ++o)
-      if (isOf(plan.openings[o].walls.front().room))
+      if (const auto& rooms = plan.openings[o].rooms;
+          isOf(rooms[rooms[0] == 0 ? 1 : 0]))
         plan.openings[o] = raised.openings[o];
     if (!moveStairs(
             plan, [&](auto room, double) { return isOf(room); }, by))

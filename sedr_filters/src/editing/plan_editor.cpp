@@ -160,6 +160,13 @@ addDetails(const PlanSlab& slab,
 
 } // namespace
 
+PlanEditor::PlanEditor(Floorplan plan, double max_wall)
+    : plan_(std::move(plan))
+    , max_wall_(max_wall)
+{
+  numberOpenings(plan_);
+}
+
 bool
 PlanEditor::apply(const std::function<std::string(Floorplan&)>& change)
 {

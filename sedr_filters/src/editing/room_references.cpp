@@ -42,7 +42,7 @@ openingBefore(const Floorplan& before, const PlanOpening& opening)
 {
   const auto was = std::find_if(
       before.openings.begin(), before.openings.end(), [&](const PlanOpening& o) {
-        return o.number != 0 && o.number == opening.number && o.kind == opening.kind;
+        return o.number == opening.number && o.kind == opening.kind;
       });
   return was == before.openings.end() ? opening : *was;
 }
@@ -135,6 +135,9 @@ forEachReference(Floorplan& plan,
 void
 renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
 {
+  for (PlanOpening& opening : plan.openings)
+    if (std::minmax(opening.rooms[0], opening.rooms[1]) == std::minmax(from, to))
+      opening.walls.clear(); // it was between them
   forEachReference(plan, [&](std::uint32_t& room, const Eigen::Vector2d&) {
     room = room == from ? to : room;
   });
@@ -142,9 +145,7 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
     list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
   };
   for (PlanOpening& opening : plan.openings)
-    removeIf(opening.walls, [&](const OpeningWall& wall) {
-      return wall.room == 0 || opening.rooms[0] == opening.rooms[1];
-    });
+    removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
   removeIf(plan.stairs, [](const PlanStair& stair) { return !stair.leadsSomewhere(); });
   for (PlanStorey& storey : plan.storeys)
     removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
@@ -158,7 +159,7 @@ attachOpenings(const Floorplan& before, Floorplan& plan, double max_wall)
   const auto attach = [&](PlanOpening& opening) {
     const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
     const std::string what =
-        (opening.number == 0 ? "" : markOf(opening) + ": ") +
+        markOf(opening) + ": " +
         placeText(opening.kind == OpeningKind::Unknown ? "opening"
                                                        : nameOf(opening.kind),
                   middle);
@@ -189,14 +190,17 @@ attachOpenings(const Floorplan& before, Floorplan& plan, double max_wall)
                        std::to_string(wall.room) + "." + std::to_string(*element + 1));
     }
     opening.walls = walls;
-    if (walls.empty())
+    const bool is_between_none =
+        opening.rooms != was.rooms && opening.rooms[0] == opening.rooms[1];
+    const bool goes = walls.empty() && (!was.walls.empty() || is_between_none);
+    if (goes)
       told.push_back(what + " is in no wall any more: it is left out");
     else if (walls.size() < was.walls.size() ||
              (opening.depth > max_wall && was.depth <= max_wall))
       told.push_back(
           what +
           " is in no wall between its rooms any more: the IFC may be without it");
-    return walls.empty();
+    return goes;
   };
   plan.openings.erase(
       std::remove_if(plan.openings.begin(), plan.openings.end(), attach),

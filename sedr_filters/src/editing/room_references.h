@@ -24,12 +24,14 @@ void forEachReference(
     Floorplan& plan,
     const std::function<void(std::uint32_t&, const Eigen::Vector2d&)>& see);
 
-/** @brief Replaces a room's number in all that refers to rooms; 0: outside. What is
- * then on both sides of itself, or of no room, is in no wall, or goes. */
+/** @brief Replaces a room's number in all that refers to rooms; 0: outside. Openings
+ * that were between the two are then in no wall; stairs that lead nowhere go. */
 void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
 
 /** @brief Finds the elements that openings are in again: the same ones, or those
- * nearest to their faces. Openings that no wall of their rooms is beside go.
+ * nearest to their faces. Openings that no wall of their rooms is beside any more go,
+ * and those without walls that are between two rooms no longer.
+ * @param before its openings are numbered
  * @param max_wall maximum thickness of a wall between two rooms, metres
  * @return sentences about openings that go, those that reach farther beyond the ends of
  * their walls than before, and those that no wall between their rooms has any more */

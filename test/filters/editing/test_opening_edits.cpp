@@ -21,16 +21,18 @@ TEST(PlanEditor, TellsWhatWallsCutOff)
   ASSERT_TRUE(editor.moveWall(1, 1, -0.5)) << editor.getErrorMessage(); // y = 0
   EXPECT_EQ(editor.getWarnings(), Told{}) << "neither door nor flight is there";
   ASSERT_TRUE(editor.moveWall(1, 1, -0.8)) << editor.getErrorMessage();
-  EXPECT_EQ(editor.getWarnings(), Told{"the door at (4.10, 1.50), 1.00 m wide, reaches "
-                                       "0.30 m beyond wall 1.2"});
+  EXPECT_EQ(editor.getWarnings(),
+            Told{"D1: the door at (4.10, 1.50), 1.00 m wide, reaches "
+                 "0.30 m beyond wall 1.2"});
   ASSERT_TRUE(editor.moveWall(1, 3, -0.25)) << editor.getErrorMessage(); // y = 3
   EXPECT_EQ(editor.getWarnings(), Told{"the flight of stairs at (2.50, 2.50), from z "
                                        "0.00 to 1.00 m, reaches 0.25 m through a wall "
                                        "of room 1"});
   PlanEditor parted(plan);
   ASSERT_TRUE(parted.split(1, {-1, 1.4}, {5, 1.4})) << parted.getErrorMessage();
-  EXPECT_EQ(parted.getWarnings(), Told{"the door at (4.10, 1.50), 1.00 m wide, reaches "
-                                       "0.40 m beyond wall 1.1"});
+  EXPECT_EQ(parted.getWarnings(),
+            Told{"D1: the door at (4.10, 1.50), 1.00 m wide, reaches "
+                 "0.40 m beyond wall 1.1"});
   parted = PlanEditor(plan);
   ASSERT_TRUE(parted.split(1, {2, -1}, {2, 4})) << parted.getErrorMessage();
   EXPECT_EQ(parted.getWarnings(), Told{"the flight of stairs at (2.50, 2.50), from z "
@@ -146,6 +148,32 @@ TEST(PlanEditor, AnAddedOpeningGoesThroughTheWallToTheRoomBehindIt)
   EXPECT_FALSE(editor.addOpening(1, 1, 0.2, size)) << "beyond its end";
   EXPECT_FALSE(editor.addOpening(1, 5, 1, size)) << "no such wall";
   EXPECT_FALSE(editor.addOpening(1, 1, 1, {OpeningKind::Door, 0.9})) << "no height";
+}
+
+TEST(PlanEditor, OpeningsWithoutWallsStay)
+{
+  Floorplan plan = twoRooms(); // passages through columns, and between the rooms
+  PlanOpening passage{OpeningKind::Passage, {}, {}, {5, 0}, {6, 0}, 0, 2};
+  for (const auto& rooms :
+       std::vector<std::array<std::uint32_t, 2>>{{1, 1}, {0, 2}, {2, 1}, {2, 2}}) {
+    passage.rooms = rooms;
+    plan.openings.push_back(passage);
+  }
+  plan.openings.back().walls = {{2, 0}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.name(1, "Kitchen"));
+  EXPECT_EQ(editor.getFloorplan().openings.size(), 5u);
+  ASSERT_TRUE(editor.setStorey(1, 0.5)) << editor.getErrorMessage();
+  for (const PlanOpening& opening : editor.getFloorplan().openings)
+    EXPECT_NEAR(opening.bottom, 0.5, 1e-12);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  std::string left;
+  for (const PlanOpening& opening : editor.getFloorplan().openings)
+    left += markOf(opening) + " ";
+  EXPECT_EQ(left, "P1 P2 P4 ") << "not those between the two";
+  ASSERT_EQ(editor.getWarnings().size(), 2u);
+  EXPECT_EQ(editor.getWarnings()[1], "P3: the passage at (5.50, 0.00) is in no wall "
+                                     "any more: it is left out");
 }
 
 TEST(PlanEditor, AnOpeningStaysInAWallThatStaysAlsoIfAnotherIsNearer)

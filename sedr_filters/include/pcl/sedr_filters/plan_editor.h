@@ -40,11 +40,9 @@ struct OpeningChange {
  * @endcode */
 class PlanEditor {
 public:
-  /** @param max_wall maximum thickness of a wall between two rooms, metres */
-  explicit PlanEditor(Floorplan plan, double max_wall = Priors().max_wall)
-      : plan_(std::move(plan))
-      , max_wall_(max_wall)
-  {}
+  /** @brief Numbers the openings that have no number, see numberOpenings().
+   * @param max_wall maximum thickness of a wall between two rooms, metres */
+  explicit PlanEditor(Floorplan plan, double max_wall = Priors().max_wall);
 
   /** @brief Names a room; an empty text removes its name. */
   bool name(std::uint32_t room, const std::string& text);

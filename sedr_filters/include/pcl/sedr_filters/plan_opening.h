@@ -34,7 +34,7 @@ struct PlanOpening {
   /** Ids of the rooms on its two sides: first the one to the left of the direction from
    * start to end; 0 outside, or a side that is not in the plan. */
   std::array<std::uint32_t, 2> rooms{};
-  std::vector<OpeningWall> walls;                  ///< one or two
+  std::vector<OpeningWall> walls;                  ///< one or two; none of a column
   Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in the middle of the wall
   Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< in the middle of the wall
   double bottom = 0;
