@@ -100,16 +100,12 @@ PlanEditor::setFloor(std::uint32_t room, double z)
     if (!(z < heights.high))
       return formatText("its ceiling is at z %.3f m", heights.high);
     constexpr double on_floor = 0.05; // metres
-    std::vector<PlanOpening*> standing;
     for (PlanOpening& opening : plan.openings)
-      if (std::any_of(opening.walls.begin(), opening.walls.end(),
-                      [&](const OpeningWall& wall) { return wall.room == room; }) &&
-          std::abs(opening.bottom - heights.low) < on_floor)
-        standing.push_back(&opening);
-    for (PlanOpening* opening : standing) {
-      opening->bottom = std::min(z, opening->top);
-      opening->residual = opening->deviation_95 = 0;
-    }
+      if (std::count(opening.rooms.begin(), opening.rooms.end(), room) > 0 &&
+          std::abs(opening.bottom - heights.low) < on_floor) {
+        opening.bottom = z;
+        opening.residual = opening.deviation_95 = 0;
+      }
     const auto isOnIt = [&](std::uint32_t id, double foot) {
       return id == room && std::abs(foot - heights.low) < on_floor;
     };
@@ -143,7 +139,7 @@ PlanEditor::setStorey(std::uint32_t number, double z)
     const auto storey =
         std::find_if(storeys.begin(), storeys.end(),
                      [&](const PlanStorey& s) { return s.number == number; });
-    if (storey == storeys.end() || !std::isfinite(z))
+    if (storey == storeys.end())
       return "the plan has no storey " + std::to_string(number);
     const double by = z - storey->floor;
     const Floorplan raised = moved(plan, 0, {0, 0, by});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../plan/plan_check.h"
 #include "../walls/face_pairs.h"
 #include "plan_outlines.h"
 #include "room_references.h"
@@ -181,13 +182,17 @@ PlanEditor::apply(const std::function<std::string(Floorplan&)>& change)
         problem_ = "the outline of " + nameOf(r) + " then " + wrong;
   if (problem_.empty())
     problem_ = overlapProblem(plan_, changed);
-  if (problem_.empty())
+  std::vector<std::string> warnings;
+  if (problem_.empty()) {
     continueSlabs(plan_, changed);
+    warnings = attachOpenings(plan_, changed, max_wall_);
+    problem_ = planProblem(changed);
+  }
   if (!problem_.empty()) {
     sentence_.clear();
     return false;
   }
-  warnings_ = attachOpenings(plan_, changed, max_wall_);
+  warnings_ = std::move(warnings);
   for (std::string& flight : flightsThroughWalls(plan_, changed))
     warnings_.push_back(std::move(flight));
   sentence_ += changesOf(plan_, changed);

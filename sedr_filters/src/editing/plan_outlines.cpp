@@ -152,7 +152,7 @@ crossing(const PlanElement& a, const PlanElement& b)
     return std::nullopt;
   const double s = cross(off, v) / area;
   const double t = cross(off, u) / area;
-  if (s < 0 || s > 1 || t < 0 || t > 1)
+  if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) // they may be NaN
     return std::nullopt;
   return a.start + s * u;
 }

@@ -241,7 +241,8 @@ documentFromJson(const std::string& text, std::string& problem)
     const Json json = Json::parse(text);
     PlanDocument document;
     json.get_to(document.plan);
-    checkPlan(document.plan);
+    if (const std::string wrong = planProblem(document.plan); !wrong.empty())
+      throw std::invalid_argument(wrong);
     readIfThere(json, "origin", document.origin.place);
     if (json.contains("levelling"))
       document.levelling = levellingFromJson(json["levelling"]);

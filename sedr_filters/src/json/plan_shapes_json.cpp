@@ -195,7 +195,7 @@ from_json(const Json& json, PlanSlab& slab)
   json.at("plane").get_to(slab.plane);
   json.at("inliers").get_to(slab.inliers);
   json.at("residual").get_to(slab.residual);
-  // A normal that was rounded; checkPlan() refuses one that is no unit vector.
+  // A normal that was rounded; planProblem() refuses one that is no unit vector.
   const double error = std::abs(slab.plane.head<3>().norm() - 1);
   if (error > 1e-9 && error <= 1e-3)
     slab.plane /= slab.plane.head<3>().norm();

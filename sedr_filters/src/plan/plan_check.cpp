@@ -240,27 +240,14 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
   checkLength(opening.bottom, "an opening's bottom");
   checkLength(opening.top, "an opening's top");
   require(opening.width() > 0, "an opening has a width above 0 m");
-  require(opening.height() > 0, "an opening's top must be above its bottom, it is " +
-                                    numberText(opening.height()) + " m above");
+  require(opening.height() > 0,
+          "the top of " + markOf(opening) + ", at z " + numberText(opening.top) +
+              " m, must be above its bottom, at " + numberText(opening.bottom));
   checkRange(opening.rise, 0, opening.height(), "the rise of an opening's head");
   checkRange(opening.depth, 0, max_coordinate, "the depth of an opening");
   checkRange(opening.residual, 0, max_coordinate, "the residual of an opening");
   checkRange(opening.deviation_95, 0, max_coordinate, "the deviation of an opening");
   checkRange(opening.confidence, 0, 1, "the confidence of an opening", "");
-}
-
-} // namespace
-
-std::string
-roomProblem(const PlanRoom& room)
-{
-  try {
-    checkRoom(room);
-    return {};
-  }
-  catch (const std::invalid_argument& error) {
-    return error.what();
-  }
 }
 
 void
@@ -277,6 +264,34 @@ checkPlan(const Floorplan& plan)
     checkStair(stair, ids);
   for (const PlanOpening& opening : plan.openings)
     checkOpening(opening, plan, ids);
+}
+
+/** @brief Returns the sentence that a check throws, or an empty text. */
+template <typename Thing>
+std::string
+problemOf(void (*check)(const Thing&), const Thing& thing)
+{
+  try {
+    check(thing);
+    return {};
+  }
+  catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+} // namespace
+
+std::string
+roomProblem(const PlanRoom& room)
+{
+  return problemOf(checkRoom, room);
+}
+
+std::string
+planProblem(const Floorplan& plan)
+{
+  return problemOf(checkPlan, plan);
 }
 
 } // namespace pcl::sedr

@@ -11,11 +11,11 @@ namespace pcl::sedr {
  * precision, grids and single precision files lose millimetres there. */
 constexpr double max_coordinate = 1e6;
 
-/** @brief Checks the values of a plan that was read, see floorplanFromJson().
- * @throw std::invalid_argument with the reason if they are not valid */
-void checkPlan(const Floorplan& plan);
+/** @brief Returns what is wrong with the values of a plan that was read or edited, as a
+ * sentence; empty if nothing. See floorplanFromJson(). */
+std::string planProblem(const Floorplan& plan);
 
-/** @brief Returns what checkPlan() finds in a room, as a sentence; empty if nothing. */
+/** @brief Returns what planProblem() finds in a room. */
 std::string roomProblem(const PlanRoom& room);
 
 } // namespace pcl::sedr

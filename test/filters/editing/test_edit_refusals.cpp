@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,7 @@ TEST(EditRefusals, FloorsAndCeilingsThatMeetARoomAboveOrBelow)
   EXPECT_FALSE(below_roof.setCeiling(2, 0.8));
   EXPECT_EQ(below_roof.getErrorMessage().find("its ceiling would then be 0."), 0u);
   EXPECT_FALSE(below_roof.setFloor(2, 2.5));
-  EXPECT_TRUE(below_roof.setFloor(2, 2));
+  EXPECT_TRUE(below_roof.setFloor(2, 1.9)) << below_roof.getErrorMessage();
 }
 
 TEST(EditRefusals, WhatARaisedFloorChangesWasNotMeasured)
@@ -78,8 +79,9 @@ TEST(EditRefusals, WhatARaisedFloorChangesWasNotMeasured)
   plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 5.3, 3));
   plan.rooms[2].floor = slabAt(2.8);
   PlanFlight flight;
-  flight.risers = {{Eigen::Vector2d(3, 2), {3, 1}}, {Eigen::Vector2d(2, 2), {2, 1}}};
-  flight.rise = 1.4;
+  for (const double x : {3.0, 2.8, 2.6, 2.4})
+    flight.risers.push_back({Eigen::Vector2d(x, 2), {x, 1}});
+  flight.rise = 0.7;
   plan.stairs = {{{1, 3}, {3, 1.5}, 0, 2.8, {flight}}};
   PlanEditor editor(plan);
   ASSERT_TRUE(editor.setFloor(1, 0.1)) << editor.getErrorMessage();
@@ -138,6 +140,48 @@ TEST(EditRefusals, WhatIsAddedHasTheHeightOfWhatIsBesideIt)
       EXPECT_NEAR(now.floorAt({x, y}), x > 3 ? 0.2 : 0, 1e-9) << x << ' ' << y;
     }
   EXPECT_TRUE(now.details.back().is_facet);
+}
+
+TEST(EditRefusals, NumbersThatAreNoLengths)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double endless = std::numeric_limits<double>::infinity();
+  Floorplan plan = roomsWithADoor();
+  PlanFlight flight;
+  flight.risers = {{Eigen::Vector2d(3, 2), {3, 1}}, {Eigen::Vector2d(2, 2), {2, 1}}};
+  flight.rise = 0.2;
+  plan.stairs = {{{1, 0}, {3, 1.5}, 0, 0.4, {flight}}};
+  PlanEditor editor(plan);
+  OpeningChange size{OpeningKind::Window, 0.6, 0.5, none};
+  EXPECT_FALSE(editor.addOpening(1, 1, 2, size));
+  EXPECT_EQ(editor.getErrorMessage(),
+            "an opening's bottom must lie within 1e+06 m, it is nan");
+  size.sill = 1;
+  for (const double wrong : {none, endless, -endless}) {
+    EXPECT_FALSE(editor.addOpening(1, 1, wrong, size));
+    EXPECT_FALSE(editor.moveWall(1, 1, wrong));
+    EXPECT_FALSE(editor.setFloor(1, wrong));
+    EXPECT_FALSE(editor.setCeiling(1, wrong));
+    EXPECT_FALSE(editor.setStorey(1, wrong));
+    EXPECT_FALSE(editor.split(1, {2, wrong}, {2, 4}));
+    EXPECT_FALSE(editor.setOpening("D1", {{}, wrong}));
+    EXPECT_FALSE(editor.setOpening("D1", {{}, {}, wrong}));
+    EXPECT_FALSE(editor.setOpening("D1", {{}, {}, {}, wrong}));
+  }
+  EXPECT_TRUE(editor.setCeiling(1, 2.4)) << editor.getErrorMessage();
+}
+
+TEST(EditRefusals, FloorsAboveTheHeadsOfDoors)
+{
+  Floorplan plan = roomsWithADoor();
+  plan.openings[0].walls.clear();
+  PlanEditor editor(plan);
+  EXPECT_FALSE(editor.setFloor(1, 2));
+  EXPECT_EQ(editor.getErrorMessage(),
+            "the top of D1, at z 2 m, must be above its bottom, at 2");
+  EXPECT_FALSE(editor.setFloor(1, 2.2));
+  ASSERT_TRUE(editor.setFloor(1, 0.1)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getFloorplan().openings[0].bottom, 0.1);
 }
 
 } // namespace

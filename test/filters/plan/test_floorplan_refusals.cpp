@@ -119,7 +119,7 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
            {"two storeys have the number 3",
             [](Floorplan& p) { p.storeys[0].number = 3; }},
            {"a whole number from 1", [](Floorplan& p) { p.storeys[0].number = 0; }},
-           {"an opening's top must be above its bottom",
+           {"must be above its bottom",
             [](Floorplan& p) { p.openings[0].top = -1; }},
            {"a stair's top must not be below its bottom",
             [](Floorplan& p) { p.stairs[0].top = -1; }},

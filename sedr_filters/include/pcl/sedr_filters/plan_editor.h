@@ -116,8 +116,8 @@ public:
 
 private:
   /** @brief Applies a change to a copy of the plan, and keeps it if `change` returns no
-   * reason against it, outlines of rooms are loops that do not cross, and no two rooms
-   * overlap more than before. */
+   * reason against it, outlines of rooms are loops that do not cross, no two rooms
+   * overlap more than before, and floorplanFromJson() would read it. */
   bool apply(const std::function<std::string(Floorplan&)>& change);
 
   /** @brief As above, for a change of a room. */
