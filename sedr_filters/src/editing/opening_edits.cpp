@@ -44,14 +44,13 @@ misfitOf(const Floorplan& plan, const PlanOpening& opening)
                                "%.3f to %.3f m",
                                room.floorAt(place), room.ceilingAt(place),
                                opening.bottom, opening.top);
-    for (const PlanOpening& other : plan.openings)
-      if (&other != &opening)
-        for (const Eigen::Vector2d& at :
-             {opening.start, opening.end,
-              Eigen::Vector2d((opening.start + opening.end) / 2)})
-          if (isAt(other, at, opening.bottom, opening.top))
-            return "it would overlap " + markOf(other);
   }
+  for (const PlanOpening& other : plan.openings)
+    if (&other != &opening &&
+        (isAt(other, opening.start, opening.bottom, opening.top) ||
+         isAt(other, opening.end, opening.bottom, opening.top) ||
+         isAt(opening, (other.start + other.end) / 2, other.bottom, other.top)))
+      return "it would overlap " + markOf(other);
   return {};
 }
 

@@ -139,8 +139,17 @@ TEST(PlanEditor, AnAddedOpeningGoesThroughTheWallToTheRoomBehindIt)
   EXPECT_NEAR(window.depth, 0.2, 1e-12);
   EXPECT_NEAR((window.start - Eigen::Vector2d(4.1, 0.8)).norm(), 0, 1e-12);
   EXPECT_NEAR((window.end - Eigen::Vector2d(4.1, 0.2)).norm(), 0, 1e-12);
-  EXPECT_FALSE(editor.addOpening(2, 4, 1.2, size));
+  for (const double at : {1.2, 1.7, 2.29}) {
+    EXPECT_FALSE(editor.addOpening(2, 4, at, size));
+    EXPECT_EQ(editor.getErrorMessage(), "it would overlap D1");
+  }
+  OpeningChange wide{OpeningKind::Window, 2.2, 1.5};
+  wide.sill = 0.5; // its jambs and its middle are beside W1, which is 0.6 m wide
+  EXPECT_FALSE(editor.addOpening(2, 4, 1.9, wide));
   EXPECT_EQ(editor.getErrorMessage(), "it would overlap D1");
+  ASSERT_TRUE(editor.closeOpening("D1"));
+  EXPECT_FALSE(editor.addOpening(2, 4, 1.9, wide));
+  EXPECT_EQ(editor.getErrorMessage(), "it would overlap W1");
   ASSERT_TRUE(editor.addOpening(1, 1, 2, size)) << editor.getErrorMessage();
   const PlanOpening& outside = editor.getFloorplan().openings.back();
   EXPECT_EQ(outside.rooms[1], 0u);
