@@ -105,7 +105,7 @@ wallsBetween(const Floorplan& plan,
 {
   WallParameters parameters;
   parameters.max_thickness = thickest;
-  parameters.min_thickness *= -1; // rooms may touch
+  parameters.with_touching = true;
   std::vector<PlanLoop> walls;
   for (const PlanWall& wall : pairFaces(plan, parameters).walls) {
     const std::uint32_t one = plan.rooms[wall.face.room].id;

@@ -140,7 +140,7 @@ private:
                                ? arcBehind(a, b, pair.stretch, pair.thickness)
                                : straightBehind(a, b, pair.stretch, pair.thickness);
     // Faces fitted independently may overlap by up to the minimum thickness.
-    if (is_behind && pair.thickness > -std::abs(parameters_.min_thickness) &&
+    if (is_behind && pair.thickness > -parameters_.min_thickness &&
         (pair.thickness <= parameters_.max_thickness ||
          (pair.thickness <= parameters_.max_depth_at_opening && isOpen(pair))))
       candidates_.push_back(pair);
@@ -206,7 +206,8 @@ private:
           common.from = here.from;
         if (here.to - common.to < shortest)
           common.to = here.to;
-        if (candidate.thickness >= parameters_.min_thickness) {
+        if (parameters_.with_touching ||
+            candidate.thickness >= parameters_.min_thickness) {
           walls_.push_back(candidate);
           walls_.back().stretch = common;
         }

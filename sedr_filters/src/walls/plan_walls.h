@@ -95,8 +95,8 @@ struct WallParameters {
   double assumed_thickness = 0.2;                    ///< of a wall with one face seen
   double min_assumed_share = 0.25; ///< of it that is left before a room near behind the
                                    ///< face: 5 cm, the thinnest partition that is built
-  double min_thickness = 0.02;     ///< nearer faces have no wall between them; below 0:
-                                   ///< overlapping ones have
+  double min_thickness = 0.02;     ///< nearer faces have no wall between them
+  bool with_touching = false;      ///< nearer faces, overlapping ones too, are pairs
 };
 
 /** @brief Finds the walls of a plan from pairs of faces; each part of a face belongs to
