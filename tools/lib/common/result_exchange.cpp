@@ -81,11 +81,12 @@ isEdited(const fs::path& folder)
   return report.is_object() && !report.value("edits", nlohmann::json()).empty();
 }
 
-/** @brief Keeps a file that is newer than the report of its run, or edited by hand, as
- * file~, or file~~ if there is one already, ... */
+/** @brief Keeps a plan that is newer than the report of its run, or edited by hand, as
+ * floorplan.json~, or floorplan.json~~ if there is one already, ... */
 void
-keepEdited(const fs::path& folder, const std::string& name)
+keepEdited(const fs::path& folder)
 {
+  const std::string name = "floorplan.json";
   std::error_code error;
   const auto written = fs::last_write_time(folder / "report.json", error);
   if (error ||
@@ -183,7 +184,7 @@ finishExchange(const fs::path& folder)
   if (!is_edit && // which keeps the plan before by itself
       (fs::exists(part / "floorplan.json", error) ||
        std::count(removed.begin(), removed.end(), "floorplan.json") > 0))
-    keepEdited(folder, "floorplan.json");
+    keepEdited(folder);
   for (const auto& name : moved) {
     if (!fs::exists(part / name, error))
       continue; // it has been moved
