@@ -106,8 +106,7 @@ cover(const PlanLoop& added,
   const auto slabOf = [&](const Border& border) {
     PlanSlab slab =
         is_floor ? room.floorSlab(border.part) : room.ceilingSlab(border.part);
-    slab.accuracy = {};
-    slab.inferred = 1;
+    setByHand(slab);
     return slab;
   };
   const auto isFacet = [&](const Border& border) {

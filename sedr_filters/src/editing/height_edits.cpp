@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "plan_outlines.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -9,26 +10,31 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief Raises a floor or ceiling by a height, with its slopes. */
+/** @brief Raises a slab by hand. */
+void
+lift(PlanSlab& slab, double by)
+{
+  slab.plane[3] -= by * slab.plane[2];
+  if (slab.curve)
+    slab.curve = std::make_shared<const SlabCurve>(moved(*slab.curve, 0, {0, 0, by}));
+  setByHand(slab);
+}
+
+/** @brief Raises a floor or ceiling with its slopes. */
 void
 lift(PlanSlab& slab, std::vector<PlanDetail>& details, double by)
 {
-  PlanRoom carrier;
-  carrier.floor = slab;
-  carrier.details = details;
-  carrier = moved({{carrier}}, 0, {0, 0, by}).rooms[0];
-  slab = carrier.floor;
-  slab.accuracy = {};
-  for (std::size_t k = 0; k < details.size(); ++k)
-    if (details[k].is_facet) {
-      details[k] = carrier.details[k];
-      details[k].slab.accuracy = {};
-    }
+  lift(slab, by);
+  for (PlanDetail& detail : details)
+    if (detail.is_facet)
+      lift(detail.slab, by);
 }
 
 constexpr const char* no_rise = "a stair would lead nowhere";
@@ -76,18 +82,6 @@ raisedText(const char* what, std::uint32_t number, double before, double by)
 {
   return what + std::to_string(number) +
          formatText(" is at z %.3f m, it was at %.3f", before + by, before);
-}
-
-/** @brief Removes one of some parts, counted from 1.
- * @return false if there is none */
-template <typename Part>
-bool
-erase(std::vector<Part>& parts, std::size_t number)
-{
-  if (number < 1 || number > parts.size())
-    return false;
-  parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(number) - 1);
-  return true;
 }
 
 } // namespace
@@ -141,22 +135,33 @@ PlanEditor::setStorey(std::uint32_t number, double z)
                      [&](const PlanStorey& s) { return s.number == number; });
     if (storey == storeys.end())
       return "the plan has no storey " + std::to_string(number);
-    const double by = z - storey->floor;
-    const Floorplan raised = moved(plan, 0, {0, 0, by});
+    const double floor = usualFloor(plan, *storey);
+    const double by = z - floor;
     const auto isOf = [&](std::uint32_t room) {
       return std::count(storey->rooms.begin(), storey->rooms.end(), room) > 0;
     };
-    for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-      if (isOf(plan.rooms[r].id))
-        plan.rooms[r] = raised.rooms[r];
-    for (std::size_t o = 0; o < plan.openings.size(); ++o)
-      if (const auto& rooms = plan.openings[o].rooms;
-          isOf(rooms[rooms[0] == 0 ? 1 : 0]))
-        plan.openings[o] = raised.openings[o];
+    for (PlanRoom& room : plan.rooms) {
+      if (!isOf(room.id))
+        continue;
+      for (PlanSlab* const slab : {&room.floor, &room.ceiling})
+        lift(*slab, by);
+      for (auto* const details : {&room.floor_details, &room.details})
+        for (PlanDetail& detail : *details)
+          lift(detail.slab, by);
+      for (PlanNiche& niche : room.niches)
+        for (PlanSlab* const slab : {&niche.bottom, &niche.top})
+          lift(*slab, by);
+    }
+    for (PlanOpening& opening : plan.openings)
+      if (isOf(opening.rooms[opening.rooms[0] == 0 ? 1 : 0])) {
+        opening.bottom += by;
+        opening.top += by;
+        opening.residual = opening.deviation_95 = 0;
+      }
     if (!moveStairs(
             plan, [&](auto room, double) { return isOf(room); }, by))
       return no_rise;
-    sentence_ = raisedText("storey ", number, storey->floor, by);
+    sentence_ = raisedText("the usual floor of storey ", number, floor, by);
     return {};
   });
 }
@@ -165,32 +170,27 @@ bool
 PlanEditor::remove(const std::string& part)
 {
   unsigned room = 0;
-  char kind[16] = "";
-  unsigned number = 0;
-  char rest = 0;
-  if (std::sscanf(part.c_str(), "room_%9u_%15[a-z]_%9u%c", &room, kind, &number,
-                  &rest) != 3)
-    std::sscanf(part.c_str(), "room_%9u_floor_%15[a-z]_%9u%c", &room, kind, &number,
-                &rest);
-  return apply(room, [&](Floorplan&, PlanRoom& of) -> std::string {
-    const std::string begin = "room_" + std::to_string(room) + "_";
-    const auto is = [&](const char* what) {
-      return part == begin + what + std::to_string(number);
+  std::sscanf(part.c_str(), "room_%9u_", &room);
+  return apply(room, [&](Floorplan&, PlanRoom& of) {
+    std::string problem = "room " + std::to_string(room) + " has ";
+    const auto removeFrom = [&](auto& parts, const std::string& kind) {
+      problem += std::to_string(parts.size()) + " " + kind + "s";
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        if (part ==
+            "room_" + std::to_string(room) + "_" + kind + "_" + std::to_string(k + 1)) {
+          parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+          sentence_ = part + " is removed";
+          return;
+        }
     };
-    const bool is_removed = (is("column_") && erase(of.columns, number)) ||
-                            (is("detail_") && erase(of.details, number)) ||
-                            (is("floor_detail_") && erase(of.floor_details, number)) ||
-                            (is("niche_") && erase(of.niches, number));
-    sentence_ = part + " is removed";
-    const auto count = [](const auto& parts, const char* what) {
-      return std::to_string(parts.size()) + " " + what;
-    };
-    return is_removed
-               ? ""
-               : "room " + std::to_string(room) + " has " +
-                     count(of.columns, "columns, ") +
-                     count(of.floor_details, "floor_details, ") +
-                     count(of.details, "details and ") + count(of.niches, "niches");
+    removeFrom(of.columns, "column");
+    problem += ", ";
+    removeFrom(of.floor_details, "floor_detail");
+    problem += ", ";
+    removeFrom(of.details, "detail");
+    problem += " and ";
+    removeFrom(of.niches, "niche");
+    return sentence_.empty() ? problem : "";
   });
 }
 

@@ -141,6 +141,13 @@ setByHand(const Floorplan& plan, PlanElement& wall)
   wall.evidence = {0, is_measured ? 1.0 : 0.0, 0};
 }
 
+void
+setByHand(PlanSlab& slab)
+{
+  slab.accuracy = {};
+  slab.inferred = 1;
+}
+
 std::optional<Eigen::Vector2d>
 crossing(const PlanElement& a, const PlanElement& b)
 {

@@ -17,6 +17,7 @@ constexpr double touching = 1e-6; ///< metres; places within this distance coinc
 /** @brief What was set by hand was not measured: it counts as inferred in a plan that
  * tells what was of any of its walls. */
 void setByHand(const Floorplan& plan, PlanElement& wall);
+void setByHand(PlanSlab& slab);
 
 /** @brief Returns where two segments cross or touch. */
 std::optional<Eigen::Vector2d> crossing(const PlanElement& a, const PlanElement& b);

@@ -93,6 +93,39 @@ TEST(EditRefusals, WhatARaisedFloorChangesWasNotMeasured)
   EXPECT_NEAR(now.stairs[0].flights[0].top(), 2.9, 1e-12);
 }
 
+TEST(EditRefusals, AMovedStoreyWasNotMeasured)
+{
+  Floorplan plan = roomsWithADoor();
+  plan.rooms[1].floor = slabAt(-0.2); // a pit: 12 m2 of 18 are at 0
+  plan.openings[0].residual = plan.openings[0].deviation_95 = 0.01;
+  PlanRoom& room = plan.rooms[0];
+  room.details = {{rectangle(0, 0, 1, 3), {}, slabAt(2.4), false}};
+  room.niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
+  for (PlanSlab* const slab :
+       {&room.floor, &room.ceiling, &room.details[0].slab, &room.niches[0].top})
+    slab->accuracy = {0.001, 0.01};
+  for (PlanElement& wall : room.boundary.elements)
+    wall.accuracy = {0.001, 0.01};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.setStorey(1, 1)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getSentence(),
+            "the usual floor of storey 1 is at z 1.000 m, it was at 0.000");
+  const PlanRoom& now = editor.getFloorplan().rooms[0];
+  const auto expectRaised = [](const PlanSlab& slab, double z) {
+    EXPECT_NEAR(slab.heightAt({1, 1}), z, 1e-12);
+    EXPECT_FALSE(slab.accuracy.isKnown());
+    EXPECT_EQ(slab.inferred, 1);
+  };
+  expectRaised(now.floor, 1);
+  expectRaised(now.ceiling, 3.5);
+  expectRaised(now.details[0].slab, 3.4);
+  expectRaised(now.niches[0].top, 3);
+  EXPECT_TRUE(now.boundary.elements[0].accuracy.isKnown())
+      << "walls stay where they are";
+  EXPECT_EQ(editor.getFloorplan().openings[0].residual, 0);
+  EXPECT_EQ(editor.getFloorplan().openings[0].top, 3);
+}
+
 TEST(EditRefusals, AJogIsNoDeeperThanAWall)
 {
   Floorplan plan;

@@ -185,7 +185,7 @@ EditOptions::EditOptions()
          return editor.setCeiling(a_, length_[0]);
        },
        none},
-      {"storey", "STOREY=Z: move all of a storey to where its lowest floor is at Z",
+      {"storey", "STOREY=Z: move all of a storey to where its usual floor is at Z",
        "STOREY=Z", readHeight,
        [this](PlanEditor& editor, const std::string&) {
          return editor.setStorey(a_, length_[0]);

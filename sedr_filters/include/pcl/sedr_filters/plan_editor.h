@@ -93,8 +93,8 @@ public:
   /** @brief Sets z of the ceiling likewise; beams, soffits and coffers stay. */
   bool setCeiling(std::uint32_t room, double z);
 
-  /** @brief Moves all rooms of a storey up or down, so that its lowest floor has this
-   * z; stairs to other storeys get steps of another rise. */
+  /** @brief Moves all rooms of a storey up or down, so that its usual floor, see
+   * usualFloor(), has this z; stairs to other storeys get steps of another rise. */
   bool setStorey(std::uint32_t number, double z);
 
   /** @brief Removes a part of a room, by its name in the solid: "room_3_column_2",
