@@ -100,9 +100,11 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
     opening.hinge = OpeningHinge::Unknown;
   else if (leaf == "double")
     opening.hinge = OpeningHinge::Both;
-  else if (to.leaf)
+  else if (leaf == "left" || leaf == "right")
     opening.hinge =
         (leaf == "left") == is_first ? OpeningHinge::Start : OpeningHinge::End;
+  else if (to.leaf)
+    return "its hinge is left, right, double or none, not '" + leaf + "'";
   opening.swing = opening.hinge == OpeningHinge::Unknown ? 0 : swing;
   return {};
 }

@@ -118,6 +118,11 @@ TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)
   change.kind = OpeningKind::Window;
   EXPECT_FALSE(editor.setOpening("D1", change));
   EXPECT_EQ(editor.getErrorMessage(), "only doors have leaves");
+  change = {};
+  change.leaf = "top";
+  EXPECT_FALSE(editor.setOpening("D1", change));
+  EXPECT_EQ(editor.getErrorMessage(),
+            "its hinge is left, right, double or none, not 'top'");
 }
 
 TEST(PlanEditor, AnAddedOpeningGoesThroughTheWallToTheRoomBehindIt)

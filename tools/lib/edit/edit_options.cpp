@@ -8,8 +8,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 namespace pcl::sedr::tools {
 
@@ -17,232 +22,243 @@ namespace {
 
 constexpr const char* none = "none"; // an option that is not given
 
-/** @brief Takes the number of a room or wall and what must follow it off the front of a
- * text. */
-bool
-takeNumber(std::string& text, const std::string& following, unsigned& number)
+/** @brief Thrown by the text of an edit that has another form. */
+struct OtherForm {};
+
+void
+require(bool is_so)
 {
-  constexpr std::size_t most = 9; // digits
-  const std::size_t digits =
-      std::min(text.find_first_not_of("0123456789"), text.size());
-  if (digits == 0 || digits > most ||
-      text.compare(digits, following.size(), following) != 0)
-    return false;
-  number = static_cast<unsigned>(std::stoul(text.substr(0, digits)));
-  text.erase(0, digits + following.size());
-  return true;
+  if (!is_so)
+    throw OtherForm();
 }
 
-/** @brief Reads a text that is a list of lengths. */
-template <std::size_t Count>
-bool
-readLengths(const std::string& text, std::array<double, Count>& lengths)
-{
-  const char* at = text.c_str();
-  for (std::size_t i = 0; i < Count; ++i) {
-    char* end = nullptr;
-    lengths[i] = std::strtod(at, &end);
-    if (end == at || *end != (i + 1 < Count ? ',' : '\0'))
-      return false;
-    at = end + 1;
+/** @brief The text of an edit, whose parts are taken off its front. */
+class EditText {
+public:
+  /** @param ends the characters after its parts; the last part has none */
+  EditText(std::string text, const char* ends)
+      : text_(std::move(text))
+      , ends_(ends)
+  {}
+
+  /** @brief Takes a part: the number of a room, wall or storey, a length, a place of
+   * two parts, or any text. */
+  template <typename Part>
+  Part take()
+  {
+    if constexpr (std::is_same_v<Part, std::string>)
+      return next();
+    else if constexpr (std::is_same_v<Part, double>) {
+      const std::string text = next();
+      char* rest = nullptr;
+      const double length = std::strtod(text.c_str(), &rest);
+      require(rest != text.c_str() && *rest == 0);
+      return length;
+    }
+    else if constexpr (std::is_same_v<Part, Eigen::Vector2d>) {
+      const double x = take<double>();
+      return {x, take<double>()};
+    }
+    else {
+      constexpr std::size_t most = 9; // digits
+      const std::string digits = next();
+      require(!digits.empty() && digits.size() <= most &&
+              digits.find_first_not_of("0123456789") == std::string::npos);
+      return static_cast<Part>(std::stoul(digits));
+    }
   }
-  return true;
-}
 
-/** @brief Returns the kind of opening that a text names, unknown if none. */
-OpeningKind
-kindNamed(const std::string& text)
+private:
+  std::string next()
+  {
+    const std::size_t size = *ends_ == 0 ? text_.size() : text_.find(*ends_++);
+    require(size != std::string::npos);
+    std::string part = text_.substr(0, size);
+    text_.erase(0, size + 1);
+    return part;
+  }
+
+  std::string text_;
+  const char* ends_;
+};
+
+/** @brief Returns a value by its name. */
+template <typename Value>
+Value
+named(const std::string& name, const std::map<std::string, Value>& values)
 {
-  for (const OpeningKind kind :
-       {OpeningKind::Door, OpeningKind::Window, OpeningKind::Passage})
-    if (text == nameOf(kind))
-      return kind;
-  return OpeningKind::Unknown;
+  const auto value = values.find(name);
+  require(value != values.end());
+  return value->second;
 }
 
 /** @brief Reads what is told of an opening, such as "width=0.9,kind=door".
- * @param[out] at its place along a wall, if that is told */
-bool
-readOpening(const std::string& text, OpeningChange& to, std::array<double, 1>& at)
+ * @param lengths by their names, beside those of `to` */
+void
+readOpening(const std::string& text,
+            OpeningChange& to,
+            std::map<std::string, std::optional<double>*> lengths = {})
 {
-  to = {};
-  std::array<double, 1> number{};
-  const std::map<std::string, std::optional<double>*> lengths{{"width", &to.width},
-                                                              {"height", &to.height},
-                                                              {"sill", &to.sill}};
+  lengths.insert({{"width", &to.width}, {"height", &to.height}, {"sill", &to.sill}});
   std::istringstream list(text);
   for (std::string one; std::getline(list, one, ',');) {
-    const std::size_t equals = std::min(one.find('='), one.size());
-    const std::string key = one.substr(0, equals);
-    std::string value = one.substr(std::min(equals + 1, one.size()));
-    const auto length = lengths.find(key);
-    unsigned room = 0;
-    if (length != lengths.end() && readLengths(value, number))
-      *length->second = number[0];
-    else if (key == "at" && readLengths(value, number))
-      at = number;
-    else if (key == "kind" && kindNamed(value) != OpeningKind::Unknown)
-      to.kind = kindNamed(value);
-    else if (key == "hinge" && (value == "left" || value == "right" ||
-                                value == "double" || value == none))
-      to.leaf = value;
-    else if (key == "swing" && takeNumber(value, "", room) && value.empty())
-      to.swing = room;
+    EditText parts(one, "=");
+    const auto key = parts.take<std::string>();
+    if (key == "kind")
+      to.kind = named<OpeningKind>(parts.take<std::string>(),
+                                   {{"door", OpeningKind::Door},
+                                    {"window", OpeningKind::Window},
+                                    {"passage", OpeningKind::Passage}});
+    else if (key == "hinge")
+      to.leaf = parts.take<std::string>();
+    else if (key == "swing")
+      to.swing = parts.take<std::uint32_t>();
     else
-      return false;
+      *named(key, lengths) = parts.take<double>();
   }
-  return !text.empty();
 }
 
-} // namespace
+using Edit = std::function<bool(PlanEditor&, const std::string&)>;
 
-EditOptions::EditOptions()
+/** @brief Returns an edit whose text has the arguments of a method.
+ * @param ends the characters after them */
+template <typename... Arguments>
+Edit
+by(bool (PlanEditor::*method)(Arguments...), const char* ends)
 {
-  const auto readRoom = [this](std::string& text) {
-    return takeNumber(text, "", a_) && text.empty();
+  return [method, ends](PlanEditor& editor, const std::string& edit) {
+    EditText text(edit, ends);
+    const std::tuple<std::decay_t<Arguments>...> told{
+        text.take<std::decay_t<Arguments>>()...};
+    return std::apply([&](const auto&... part) { return (editor.*method)(part...); },
+                      told);
   };
-  const auto readWall = [this](std::string& text) {
-    return takeNumber(text, ".", a_) && takeNumber(text, "", b_) && text.empty();
-  };
-  const auto readHeight = [this](std::string& text) {
-    return takeNumber(text, "=", a_) && readLengths(text, length_);
-  };
-  const auto readMark = [this](std::string& text) {
-    const std::size_t end = std::min(text.find(','), text.size());
-    mark_ = text.substr(0, end);
-    text.erase(0, end + 1);
-    return text == "kind=none" || readOpening(text, opening_, length_);
-  };
-  kinds_ = {
+}
+
+bool
+addOpening(PlanEditor& editor, const std::string& edit)
+{
+  EditText text(edit, ".,");
+  const auto room = text.take<std::uint32_t>();
+  const auto wall = text.take<std::size_t>();
+  std::optional<double> at;
+  OpeningChange size;
+  readOpening(text.take<std::string>(), size, {{"at", &at}});
+  require(at && size.width && size.height);
+  return editor.addOpening(room, wall, *at, size);
+}
+
+bool
+setOpening(PlanEditor& editor, const std::string& edit)
+{
+  EditText text(edit, ",");
+  const auto mark = text.take<std::string>();
+  const auto told = text.take<std::string>();
+  if (told == "kind=none")
+    return editor.closeOpening(mark);
+  OpeningChange change;
+  readOpening(told, change);
+  return editor.setOpening(mark, change);
+}
+
+bool
+removePart(PlanEditor& editor, const std::string& part)
+{
+  require(part.rfind("room_", 0) == 0);
+  return editor.remove(part);
+}
+
+/** @brief A kind of edit. */
+struct Kind {
+  const char* option;
+  const char* help;
+  const char* wanted; ///< form of an edit
+  Edit edit;
+};
+
+const std::vector<Kind>&
+kindsOfEdits()
+{
+  static const std::vector<Kind> kinds{
       {"move-wall",
        "ROOM.WALL=METRES: move a straight wall outwards, inwards below 0; walls beside "
        "it may vanish",
-       "ROOM.WALL=METRES, such as 3.12=0.05",
-       [this](std::string& text) {
-         return takeNumber(text, ".", a_) && takeNumber(text, "=", b_) &&
-                readLengths(text, length_);
-       },
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.moveWall(a_, b_, length_[0]);
-       },
-       none},
+       "ROOM.WALL=METRES, such as 3.12=0.05", by(&PlanEditor::moveWall, ".=")},
       {"remove-jog",
        "ROOM.WALL: remove the jog that a wall makes, or the notch or bay that it ends",
-       "ROOM.WALL, such as 3.12", readWall,
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.removeJog(a_, b_);
-       },
-       none},
-      {"square", "ROOM: make its nearly square corners square", "a room", readRoom,
-       [this](PlanEditor& editor, const std::string&) { return editor.square(a_); },
-       none},
+       "ROOM.WALL, such as 3.12", by(&PlanEditor::removeJog, ".")},
+      {"square", "ROOM: make its nearly square corners square", "a room",
+       by(&PlanEditor::square, "")},
       {"add-opening",
        "ROOM.WALL,at=M,width=M,height=M: add an opening whose middle is so many metres "
        "from the wall's first end; sill=0, kind=door and more keys of --opening",
        "ROOM.WALL,at=METRES,width=METRES,height=METRES, perhaps with sill=, kind=, "
        "hinge=, swing=",
-       [this](std::string& text) {
-         length_[0] = -1;
-         return takeNumber(text, ".", a_) && takeNumber(text, ",", b_) &&
-                readOpening(text, opening_, length_) && length_[0] >= 0 &&
-                opening_.width && opening_.height;
-       },
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.addOpening(a_, b_, length_[0], opening_);
-       },
-       none},
+       addOpening},
       {"split", "ROOM,X1,Y1,X2,Y2: part a room along a line", "ROOM,X1,Y1,X2,Y2",
-       [this](std::string& text) {
-         return takeNumber(text, ",", a_) && readLengths(text, line_);
-       },
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.split(a_, {line_[0], line_[1]}, {line_[2], line_[3]});
-       },
-       none},
+       by(&PlanEditor::split, ",,,,")},
       {"merge", "ROOM,ROOM: join the second room to the first", "ROOM,ROOM",
-       [this](std::string& text) {
-         return takeNumber(text, ",", a_) && takeNumber(text, "", b_) && text.empty();
-       },
-       [this](PlanEditor& editor, const std::string&) { return editor.merge(a_, b_); },
-       none},
-      {"drop", "ROOM: remove a room", "a room", readRoom,
-       [this](PlanEditor& editor, const std::string&) { return editor.drop(a_); },
-       none},
+       by(&PlanEditor::merge, ",")},
+      {"drop", "ROOM: remove a room", "a room", by(&PlanEditor::drop, "")},
       {"remove",
        "PART: remove a column, platform (floor_detail), beam or coffer (detail) or "
        "niche, by its name in the solid: room_3_column_1",
-       "the name of a part, such as room_3_column_1",
-       [](std::string& text) { return text.rfind("room_", 0) == 0; },
-       [](PlanEditor& editor, const std::string& part) { return editor.remove(part); },
-       none},
-      {"floor", "ROOM=Z: set the height of a floor, metres", "ROOM=Z", readHeight,
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.setFloor(a_, length_[0]);
-       },
-       none},
-      {"ceiling", "ROOM=Z: set the height of a ceiling, metres", "ROOM=Z", readHeight,
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.setCeiling(a_, length_[0]);
-       },
-       none},
+       "the name of a part, such as room_3_column_1", removePart},
+      {"floor", "ROOM=Z: set the height of a floor, metres", "ROOM=Z",
+       by(&PlanEditor::setFloor, "=")},
+      {"ceiling", "ROOM=Z: set the height of a ceiling, metres", "ROOM=Z",
+       by(&PlanEditor::setCeiling, "=")},
       {"storey", "STOREY=Z: move all of a storey to where its usual floor is at Z",
-       "STOREY=Z", readHeight,
-       [this](PlanEditor& editor, const std::string&) {
-         return editor.setStorey(a_, length_[0]);
-       },
-       none},
+       "STOREY=Z", by(&PlanEditor::setStorey, "=")},
       {"opening",
        "NUMBER,KEY=VALUE,...: change an opening, such as D3; keys are width, height, "
        "sill (metres), kind, hinge (left, right, double, none), swing (the room it "
-       "opens "
-       "into); kind=none closes it",
+       "opens into); kind=none closes it",
        "NUMBER and some of width=, height=, sill=, kind=, hinge=, swing=, such as "
        "D3,width=0.9",
-       readMark,
-       [this](PlanEditor& editor, const std::string& change) {
-         return change == "kind=none" ? editor.closeOpening(mark_)
-                                      : editor.setOpening(mark_, opening_);
-       },
-       none},
+       setOpening},
       {"name", "ROOM=TEXT: name a room", "ROOM=TEXT, such as 3=Kitchen",
-       [this](std::string& text) { return takeNumber(text, "=", a_); },
-       [this](PlanEditor& editor, const std::string& text) {
-         return editor.name(a_, text);
-       },
-       none}};
+       by(&PlanEditor::name, "=")}};
+  return kinds;
 }
+
+} // namespace
 
 void
 EditOptions::declare(Options& options)
 {
-  for (Kind& kind : kinds_)
-    options.text(kind.option, kind.given, kind.help);
+  given_.assign(kindsOfEdits().size(), none);
+  for (std::size_t k = 0; k < given_.size(); ++k)
+    options.text(kindsOfEdits()[k].option, given_[k], kindsOfEdits()[k].help);
 }
 
 bool
 EditOptions::isGiven() const
 {
-  return std::any_of(kinds_.begin(), kinds_.end(),
-                     [](const Kind& kind) { return kind.given != none; });
+  return std::any_of(given_.begin(), given_.end(),
+                     [](const std::string& edits) { return edits != none; });
 }
 
 std::vector<std::string>
-EditOptions::apply(PlanEditor& editor)
+EditOptions::apply(PlanEditor& editor) const
 {
   std::vector<std::string> done;
   std::vector<std::string> warnings; // told if no edit fails
-  for (const Kind& kind : kinds_) {
-    if (kind.given == none)
+  for (std::size_t k = 0; k < given_.size(); ++k) {
+    if (given_[k] == none)
       continue;
+    const Kind& kind = kindsOfEdits()[k];
     const std::string option = "--" + std::string(kind.option) + " ";
-    std::istringstream list(kind.given.empty() ? ";" : kind.given);
+    std::istringstream list(given_[k].empty() ? ";" : given_[k]);
     for (std::string edit; std::getline(list, edit, ';');) {
       boost::algorithm::trim(edit);
-      std::string rest = edit;
-      if (!kind.read(rest))
+      try {
+        if (!kind.edit(editor, edit))
+          throw ToolError(option + edit + ": " + editor.getErrorMessage());
+      }
+      catch (const OtherForm&) {
         throw ToolError("'" + edit + "': " + option + "wants " + kind.wanted);
-      if (!kind.apply(editor, rest))
-        throw ToolError(option + edit + ": " + editor.getErrorMessage());
+      }
       done.push_back(editor.getSentence());
       for (const std::string& warning : editor.getWarnings()) {
         done.back() += "; " + warning;
