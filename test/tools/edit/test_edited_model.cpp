@@ -101,6 +101,17 @@ TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)
                                       "room 2: low (before the plan was edited)"}));
 }
 
+TEST_F(EditedModel, ARoomOfAnotherHeightIsNotTheOneThatWasMeasured)
+{
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "1=2.4"}).exit_code, 0);
+  const Json rooms = reportNow()["rooms"];
+  EXPECT_TRUE(rooms[0]["mesh"].is_null());
+  EXPECT_EQ(rooms[0]["inferred_floor"], 0);
+  EXPECT_EQ(rooms[0]["inferred_ceiling"], 1);
+  EXPECT_EQ(rooms[1]["mesh"], "of 2");
+  EXPECT_EQ(doubts()[3], "room 1: low (before the plan was edited)");
+}
+
 TEST_F(EditedModel, DoubtsOfWallsFollowTheirNumbers)
 {
   ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "1,2,-9,2,9"}).exit_code, 0);

@@ -35,12 +35,13 @@ public:
 
   bool hasRoom(std::uint32_t id) const { return findRoom(plan_, id) != nullptr; }
 
-  /** @brief Returns whether a room has the outline that it had. */
+  /** @brief Returns whether a room has the outline, floor and ceiling that it had. */
   bool isSameRoom(std::uint32_t id) const
   {
     const PlanRoom* const old = findRoom(before_, id);
     const PlanRoom* const now = findRoom(plan_, id);
-    return old && now && isSame(old->boundary, now->boundary);
+    return old && now && isSame(old->boundary, now->boundary) &&
+           planesOf(*old) == planesOf(*now);
   }
 
   /** @brief Returns which wall a wall is now; nothing if it was touched. */
@@ -56,6 +57,15 @@ public:
   }
 
 private:
+  static std::vector<Eigen::Vector4d> planesOf(const PlanRoom& room)
+  {
+    std::vector<Eigen::Vector4d> planes{room.floor.plane, room.ceiling.plane};
+    for (const auto* const details : {&room.floor_details, &room.details})
+      for (const PlanDetail& detail : *details)
+        planes.push_back(detail.slab.plane);
+    return planes;
+  }
+
   const Floorplan& before_;
   const Floorplan& plan_;
 };
@@ -127,7 +137,7 @@ carryOver(Json& report,
   for (Json& room : report["rooms"])
     for (const Json& old : rooms)
       if (old.value("id", 0U) == room["id"] && untouched.isSameRoom(room["id"]))
-        for (const char* kept : {"inferred_area", "unseen_outline", "mesh"})
+        for (const char* kept : {"unseen_outline", "mesh"})
           room[kept] = old.value(kept, Json());
   report["walls"] = mapsOf(report["walls"], untouched);
   Json& all = report["edits"];

@@ -12,7 +12,7 @@ namespace pcl::sedr::tools {
 
 /** @brief Keeps in a report what it tells of rooms and walls that an edit did not
  * touch: their doubts, what the scan shows of them, what of them was hidden and their
- * meshes. Walls get their new numbers. What a room of another outline was doubted for
+ * meshes. Walls get their new numbers. What a room of another shape was doubted for
  * stays, marked as being of the time before.
  * @param report of the plan before; its part of the plan is replaced by setPlan()
  * already

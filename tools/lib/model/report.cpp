@@ -65,18 +65,16 @@ meshOf(const ChainStages& chain, std::uint32_t room)
   return nullptr;
 }
 
-/** @brief Tells of rooms what their plan does not: what of them was hidden, and their
- * meshes. */
+/** @brief Tells of rooms what their plan does not: what of their outline nobody saw,
+ * and their meshes. */
 void
 tellScanOfRooms(const Reconstruction& chain, Json& rooms)
 {
   for (const BuildingRoom& found :
        chain.getStages().room_segmentation.getBuilding().rooms)
     for (Json& room : rooms)
-      if (room["id"] == found.id) {
-        room["inferred_area"] = found.inferred;
+      if (room["id"] == found.id)
         room["unseen_outline"] = found.unseen_outline;
-      }
   for (Json& room : rooms)
     room["mesh"] = meshOf(chain.getStages(), room["id"]);
 }
