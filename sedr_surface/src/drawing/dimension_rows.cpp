@@ -64,7 +64,7 @@ dimensionsOf(const DimensionRow& row,
 }
 
 /** @brief Returns candidate boxes for the text of a dimension, the best first: on its
- * line, else beyond or beside it. */
+ * line, in its middle or else between its ends, else beyond or beside it. */
 std::vector<TextBox>
 boxesFor(const SheetDimension& d, const std::string& text, const Eigen::Vector2d& side)
 {
@@ -81,6 +81,9 @@ boxesFor(const SheetDimension& d, const std::string& text, const Eigen::Vector2d
   };
   add(0, rise * up);
   add(0, below * side);
+  for (double shift = half.x(); shift + half.x() < stretch / 2; shift += half.x())
+    for (const double sign : {1.0, -1.0})
+      add(sign * shift, rise * up);
   for (const double shift : {half.x(), 2 * half.x(), 3 * half.x()})
     for (const double sign : {1.0, -1.0}) {
       add(sign * (stretch / 2 + shift), rise * up);

@@ -122,4 +122,23 @@ TEST(FloorplanDrawing, OuterOpeningsHaveAChainOfTheirOwn)
   EXPECT_EQ(right, (std::vector<double>{5, 1, 3}));
 }
 
+TEST(FloorplanDrawing, TheLengthOfAWideGapStandsInIt)
+{
+  // Extension lines of the wall between the rooms run through the middle of the gap.
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 3.5, 4), 2.5), roomOf(rectangle(3.74, 0, 7, 4), 2.5, 2)}};
+  plan.openings = {
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {1, -0.1}, {3, -0.1}, 1, 2, 0, 0.2},
+      {OpeningKind::Window, {2, 0}, {{2, 0}}, {4.4, -0.1}, {6.4, -0.1}, 1, 2, 0, 0.2}};
+  std::size_t gaps = 0;
+  for (const SheetDimension& d : PlanDrawing(plan, scaled(50), 0).dimensions)
+    if (std::abs(d.length - 1.4) < 1e-9) {
+      ++gaps;
+      ASSERT_TRUE(d.text);
+      EXPECT_GT(d.text->place.x(), std::min(d.start.x(), d.end.x()));
+      EXPECT_LT(d.text->place.x(), std::max(d.start.x(), d.end.x()));
+    }
+  EXPECT_EQ(gaps, 1u);
+}
+
 } // namespace
