@@ -55,6 +55,25 @@ shifted(PlanLoop loop, double up)
   return loop;
 }
 
+/** @brief Adds all that lies between a loop and those above it. */
+void
+addSlabs(const PlanLoop& loop,
+         const std::vector<CutRoom>& rooms,
+         std::vector<PlanArea>& bodies)
+{
+  const Eigen::AlignedBox2d box = boundsOf(loop);
+  for (const CutRoom& other : rooms)
+    for (const PlanLoop& o : other.loops) {
+      const Eigen::AlignedBox2d b = boundsOf(o);
+      const double from = std::max(b.min().x(), box.min().x());
+      const double to = std::min(b.max().x(), box.max().x());
+      const double top = b.min().y();
+      if (from < to && top > box.max().y() && top < box.max().y() + max_slab)
+        bodies.push_back(
+            {rectangleOf(from, to, std::max(box.min().y(), top - max_slab), top)});
+    }
+}
+
 /** @brief Adds what hangs down into a cut room, such as a beam, and the slab above it,
  * as high as on both sides. */
 void
@@ -167,6 +186,7 @@ sectionOf(const Floorplan& plan,
     for (const PlanLoop& loop : cut.loops) {
       const double above = slabAbove(loop, rooms, 1);
       bodies.push_back({shifted(loop, above)});
+      addSlabs(loop, rooms, bodies);
       addBeams(loop, above, bodies);
       addFloor(loop, slabAbove(loop, rooms, -1), bodies);
       if (loop.area() > 0)
@@ -209,6 +229,18 @@ sectionOf(const Floorplan& plan,
   return drawing;
 }
 
+/** @brief Returns the directions of the straight walls of a room, both ways. */
+std::vector<Eigen::Vector2d>
+directionsOf(const PlanRoom& room)
+{
+  std::vector<Eigen::Vector2d> ways;
+  for (const PlanElement& e : room.boundary.elements)
+    if (!e.isArc() && e.length() >= 1)
+      for (const double sign : {1.0, -1.0})
+        ways.push_back(sign * (e.end - e.start).normalized());
+  return ways;
+}
+
 } // namespace
 
 SectionLine
@@ -218,10 +250,8 @@ sectionThroughRooms(const Floorplan& plan)
   std::pair<std::size_t, double> most{0, 0};
   for (const PlanRoom& room : plan.rooms) {
     const Eigen::Vector2d at = textSpotIn(room.boundary, room.columns).place;
-    for (const PlanElement& e : room.boundary.elements) {
-      if (e.isArc() || e.length() < 1)
-        continue;
-      const SectionLine line{at, at + (e.end - e.start).normalized()};
+    for (const Eigen::Vector2d& way : directionsOf(room)) {
+      const SectionLine line{at, at + way};
       std::pair<std::size_t, double> cut{0, 0}; // rooms, metres
       for (const PlanRoom& other : plan.rooms) {
         const auto ranges = rangesIn(other.boundary, line);
@@ -243,11 +273,24 @@ sectionThroughRooms(const Floorplan& plan)
 std::optional<SectionLine>
 sectionThroughStairs(const Floorplan& plan)
 {
-  for (const PlanStair& stair : plan.stairs)
-    if (!stair.flights.empty() && stair.flights.front().steps() > 1) {
-      const PlanFlight& flight = stair.flights.front();
-      return SectionLine{flight.middle(0), flight.middle(flight.steps() - 1)};
-    }
+  for (const PlanStair& stair : plan.stairs) {
+    if (stair.flights.empty() || stair.flights.front().steps() < 2)
+      continue;
+    const PlanFlight& flight = stair.flights.front();
+    const Eigen::Vector2d up = flight.middle(flight.steps() - 1) - flight.middle(0);
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (std::size_t k = 0; k < flight.steps(); ++k)
+      middle += flight.middle(k) / static_cast<double>(flight.steps());
+    Eigen::Vector2d way = up.normalized();
+    double farthest = 0; // climbed along a wall
+    if (const PlanRoom* const room = findRoom(plan, stair.rooms[0]))
+      for (const Eigen::Vector2d& along : directionsOf(*room))
+        if (along.dot(up) > farthest) {
+          farthest = along.dot(up);
+          way = along;
+        }
+    return SectionLine{middle, middle + way};
+  }
   return std::nullopt;
 }
 

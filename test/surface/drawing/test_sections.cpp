@@ -141,6 +141,34 @@ TEST(Sections, BodiesAreWholeAroundRooms)
               4.4 * 2.9 - 4 * 2.5 + 0.3 * 1 + 0.3 * 0.4 + 2.5 * 0.4, 2e-3);
 }
 
+TEST(Sections, ASlabIsWholeAboveCeilingsOfSeveralHeights)
+{
+  // A soffit of 1 m at 2.2 m beside a wall, its room up to 2.5 m, the upper one from
+  // 2.6 m; walls and outer slabs of 0.2 m.
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 5, 4), 2.5), roomOf(rectangle(0, 0, 5, 4), 5)}};
+  plan.rooms[0].details = {detailOf(rectangle(0, 0, 5, 1), 2.2)};
+  plan.rooms[1].id = 2;
+  plan.rooms[1].floor = slabAt(2.6);
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, {DrawingFormat::Dxf})[0];
+  EXPECT_NEAR(areaOf("HATCH", "A-WALL-PATT", dxf),
+              4.4 * 5.4 - 4 * (2.5 + 2.4) + 0.3 * 1, 2e-3);
+}
+
+TEST(Sections, AWindingFlightIsCutSquareToTheBuilding)
+{
+  Floorplan plan = twoStoreys();
+  PlanFlight flight;
+  flight.rise = 0.2;
+  for (const double turn : {0.0, 0.5, 1.0, 1.5, 2.0}) // radians, about (1, 1.5)
+    flight.risers.push_back(
+        {Eigen::Vector2d(1, 1.5), {1 - std::cos(turn), 1.5 + std::sin(turn)}});
+  plan.stairs = {{{1, 3}, {0.5, 1.5}, 0, 1, {flight}}};
+  const auto line = sectionThroughStairs(plan);
+  ASSERT_TRUE(line);
+  EXPECT_NEAR((line->to - line->from).dot(Eigen::Vector2d::UnitX()), 1, 1e-9);
+}
+
 TEST(Sections, StairsHaveTheirSteps)
 {
   Floorplan plan = twoStoreys();

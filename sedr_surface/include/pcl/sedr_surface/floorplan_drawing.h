@@ -92,8 +92,9 @@ struct SectionLine {
  * rooms, the longest of these. O(rooms times walls squared). */
 SectionLine sectionThroughRooms(const Floorplan& plan);
 
-/** @brief Returns the line up the first flight of the first stair whose flights were
- * seen. */
+/** @brief Returns the line through the middle of the first flight of the first stair
+ * whose flights were seen, up it along the wall that is most parallel to it: winding
+ * flights are cut square to the building. */
 std::optional<SectionLine> sectionThroughStairs(const Floorplan& plan);
 
 /** @brief Draws a vertical section through a building, seen towards the left of a line:
