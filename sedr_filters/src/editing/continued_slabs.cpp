@@ -84,8 +84,8 @@ besideBorder(const Border& border, const std::vector<Border>& borders, double fa
   return area;
 }
 
-/** @brief Covers an area that a room got with the parts of its ceiling or floor beside
- * it: what is there belongs to the nearest one. */
+} // namespace
+
 void
 cover(const PlanLoop& added,
       const std::vector<PlanLoop>& before,
@@ -129,9 +129,9 @@ cover(const PlanLoop& added,
                difference({added}, {besideBorder(border, borders, added.length())})))
         if (area.area() > least)
           details.push_back({area, {}, slabOf(border), isFacet(border)});
+  std::stable_partition(details.begin(), details.end(),
+                        [](const PlanDetail& d) { return d.is_facet; });
 }
-
-} // namespace
 
 void
 continueSlabs(const Floorplan& before, Floorplan& plan)
@@ -156,9 +156,6 @@ continueSlabs(const Floorplan& before, Floorplan& plan)
         for (const bool is_floor : {false, true})
           if (!(is_floor ? room.floor_details : room.details).empty())
             cover(added, olds, room, is_floor);
-    for (auto* const details : {&room.details, &room.floor_details})
-      std::stable_partition(details->begin(), details->end(),
-                            [](const PlanDetail& d) { return d.is_facet; });
   }
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace pcl::sedr {
@@ -178,7 +179,11 @@ PlanEditor::remove(const std::string& part)
       for (std::size_t k = 0; k < parts.size(); ++k)
         if (part ==
             "room_" + std::to_string(room) + "_" + kind + "_" + std::to_string(k + 1)) {
+          const auto gone = parts[k];
           parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+          if constexpr (std::is_same_v<decltype(gone), const PlanDetail>)
+            if (gone.is_facet)
+              cover(gone.boundary, {of.boundary}, of, kind == "floor_detail");
           sentence_ = part + " is removed";
           return;
         }

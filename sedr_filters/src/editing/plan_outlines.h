@@ -44,6 +44,14 @@ PlanLoop cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places)
  * @param areas outlines and holes; where they touch, they have common ends */
 std::vector<PlanLoop> unionOf(const std::vector<PlanLoop>& areas);
 
+/** @brief Covers an area of a room, of which nothing is known, with the parts of its
+ * ceiling or floor beside it: what is there belongs to the nearest one.
+ * @param before the areas of which something is known */
+void cover(const PlanLoop& added,
+           const std::vector<PlanLoop>& before,
+           PlanRoom& room,
+           bool is_floor);
+
 /** @brief Continues the parts of ceilings and floors into what rooms got beside them.
  */
 void continueSlabs(const Floorplan& before, Floorplan& plan);

@@ -114,6 +114,29 @@ TEST(PlanEditor, PartsAreRemovedByTheirNamesInTheSolid)
   EXPECT_FALSE(editor.remove("room_1_column_1x"));
 }
 
+TEST(PlanEditor, WhereASlopeIsRemovedThoseBesideItGoOn)
+{
+  Floorplan plan = twoRooms();
+  PlanRoom& room = plan.rooms[0];
+  room.ceiling = sedr_test::slabAt(9); // which is nowhere
+  room.details = {{rectangle(0, 0, 1, 3), {}, sedr_test::slabAt(2.5), true},
+                  {rectangle(1, 0, 2, 3), {}, sedr_test::slabAt(3, 0.1), true},
+                  {rectangle(2, 0, 4, 3), {}, sedr_test::slabAt(2, 0.2), true},
+                  {rectangle(3, 0, 3.2, 3), {}, sedr_test::slabAt(2.1)}};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.remove("room_1_detail_2")) << editor.getErrorMessage();
+  expectValid(editor);
+  const PlanRoom& now = editor.getFloorplan().rooms[0];
+  for (const double x : {0.5, 1.02, 1.45, 1.55, 1.98, 2.5, 3.1})
+    EXPECT_NEAR(now.ceilingAt({x, 1.3}),
+                x < 1.5            ? 2.5
+                : x > 3 && x < 3.2 ? 2.1
+                                   : 2 + 0.2 * x,
+                1e-9)
+        << x;
+  EXPECT_FALSE(now.details.back().is_facet) << "the beam";
+}
+
 TEST(PlanEditor, NamesAreKeptInTheJson)
 {
   Floorplan plan = twoRooms();

@@ -99,7 +99,8 @@ public:
 
   /** @brief Removes a part of a room, by its name in the solid: "room_3_column_2",
    * "room_3_floor_detail_1" (a platform or pit), "room_3_detail_4" (a beam, soffit or
-   * coffer), "room_3_niche_1". Those behind it count one less. */
+   * coffer), "room_3_niche_1". Those behind it count one less. What is beside a slope
+   * or vault goes on where it was. */
   bool remove(const std::string& part);
 
   const Floorplan& getFloorplan() const { return plan_; }
