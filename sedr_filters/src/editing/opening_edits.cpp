@@ -17,9 +17,13 @@ constexpr double exact = 0.01; // metres; openings may reach that far beyond a w
 std::string
 sentenceOf(const Floorplan& plan, const PlanOpening& opening)
 {
+  const std::string leaf = leafOf(opening);
   return std::string(nameOf(opening.kind)) +
          formatText(" of %.3f x %.3f m, %.3f m above the floor", opening.width(),
-                    opening.height(), sillOf(plan, opening));
+                    opening.height(), sillOf(plan, opening)) +
+         (leaf.empty()
+              ? ""
+              : ", hinge " + leaf + " into room " + std::to_string(opening.swing));
 }
 
 /** @brief Returns why an opening does not fit its walls, or an empty text. */

@@ -179,17 +179,6 @@ accuracyOf(const PlanOpening& opening)
              : SurfaceAccuracy{};
 }
 
-std::string
-leafOf(const PlanOpening& opening)
-{
-  const std::vector<OpeningLeaf> leaves = leavesOf(opening);
-  if (leaves.size() != 1)
-    return leaves.empty() ? "" : "double";
-  const Eigen::Vector2d way = leaves[0].open - leaves[0].hinge;
-  const Eigen::Vector2d shut = leaves[0].shut - leaves[0].hinge;
-  return way.x() * shut.y() < way.y() * shut.x() ? "left" : "right";
-}
-
 RoomRow
 roomRow(const Floorplan& plan,
         const CeilingFaces& ceiling,

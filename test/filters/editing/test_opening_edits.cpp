@@ -51,9 +51,11 @@ TEST(PlanEditor, AnOpeningIsSaidToBeAnotherOrClosed)
   EXPECT_EQ(editor.getErrorMessage(), "the plan has no opening W1");
   ASSERT_TRUE(editor.setOpening("D1", {OpeningKind::Passage}));
   expectValid(editor);
-  EXPECT_EQ(editor.getSentence(), "D1 was a door of 1.000 x 2.000 m, 0.000 m above the "
-                                  "floor; P1 is a passage of 1.000 x 2.000 m, 0.000 m "
-                                  "above the floor");
+  EXPECT_EQ(
+      editor.getSentence(),
+      "D1 was a door of 1.000 x 2.000 m, 0.000 m above the "
+      "floor, hinge left into room 1; P1 is a passage of 1.000 x 2.000 m, 0.000 m "
+      "above the floor");
   EXPECT_EQ(markOf(editor.getFloorplan().openings[0]), "P1");
   EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::Unknown);
   EXPECT_EQ(editor.getFloorplan().openings[0].confidence, 1);
@@ -104,6 +106,9 @@ TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)
   EXPECT_EQ(editor.getErrorMessage(), "its hinge must be told: left, right or double");
   change.leaf = "left";
   ASSERT_TRUE(editor.setOpening("D1", change)) << editor.getErrorMessage();
+  EXPECT_EQ(editor.getSentence(),
+            "D1 was a door of 1.000 x 2.000 m, 0.000 m above the floor; D1 is a door "
+            "of 1.000 x 2.000 m, 0.000 m above the floor, hinge left into room 2");
   EXPECT_EQ(editor.getFloorplan().openings[0].hinge, OpeningHinge::End);
   EXPECT_EQ(editor.getFloorplan().openings[0].swing, 2u);
   change.swing = 1;

@@ -67,6 +67,10 @@ struct OpeningLeaf {
 /** @brief Returns the leaves of an opening whose hinge is known. */
 std::vector<OpeningLeaf> leavesOf(const PlanOpening& opening);
 
+/** @brief Returns the hand of a door's leaf as one sees it who pushes it open, as IFC
+ * does: "left" or "right", where its hinges are; "double"; "" if it is not known. */
+std::string leafOf(const PlanOpening& opening);
+
 /** @brief Checks whether an opening is at a place in plan: beside its width, less than
  * 0.5 m off the middle of its wall, at heights that overlap its own. */
 bool isAt(const PlanOpening& opening,

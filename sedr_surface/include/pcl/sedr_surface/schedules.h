@@ -93,10 +93,6 @@ std::string representedLevel(const SurfaceAccuracy& accuracy);
  */
 SurfaceAccuracy accuracyOf(const PlanOpening& opening);
 
-/** @brief Returns the hand of a door's leaf as one sees it who pushes it open, as IFC
- * does: "left" or "right", where its hinges are; "double"; "" if it is not known. */
-std::string leafOf(const PlanOpening& opening);
-
 /** @brief Returns the rows of the openings, by kind and number.
  * @param plan with numbers, see numberOpenings() */
 std::vector<OpeningRow> openingRows(const Floorplan& plan);
