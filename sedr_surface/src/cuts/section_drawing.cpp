@@ -102,7 +102,8 @@ addFloor(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
           {loopOf({{e.start.x(), base}, {e.end.x(), base}, e.end, e.start})});
 }
 
-/** @brief Adds the walls and columns that a section cuts, from slab to slab. */
+/** @brief Adds the walls and columns that a section cuts, with the slabs above and
+ * below. */
 void
 addWalls(const Floorplan& plan,
          const std::vector<PlanWall>& walls,
@@ -115,8 +116,14 @@ addWalls(const Floorplan& plan,
   const auto add = [&](const PlanRoom& room, double from, double to,
                        const Eigen::Vector2d& at) {
     const double floor = std::min(room.floorAt(at), heightsOf(room).low);
-    bodies.push_back({rectangleOf(from - overlap, to + overlap, floor - assumed_slab,
-                                  room.ceilingAt(at) + assumed_slab)});
+    const double ceiling = room.ceilingAt(at);
+    double top = ceiling + assumed_slab;
+    for (const PlanRoom& other : plan.rooms)
+      if (other.contains(at) && other.floorAt(at) > ceiling &&
+          other.floorAt(at) < ceiling + max_slab)
+        top = std::max(top, other.floorAt(at));
+    bodies.push_back(
+        {rectangleOf(from - overlap, to + overlap, floor - assumed_slab, top)});
   };
   for (const PlanWall& wall : walls) {
     const PlanElement& face = elementOf(plan, wall.face);
