@@ -356,9 +356,13 @@ placedLabels(const std::vector<DrawingLabel>& labels,
              TextPlaces& places)
 {
   TextWriter writer(frame, places);
-  for (const DrawingLabel& label : labels)
-    writer.writeAt(label.layer, label.within, textSpotIn(label.within, label.off),
-                   label.lines, large_font);
+  for (const DrawingLabel& label : labels) {
+    const TextSpot spot = textSpotIn(label.within, label.off);
+    std::vector<std::string> texts = label.lines;
+    while (!texts.empty() &&
+           !writer.writeAt(label.layer, label.within, spot, texts, large_font))
+      texts.pop_back();
+  }
   for (const PlanLine& line : lines)
     writer.writeAlong(PlanLayer::Height, line.element, line.note);
   return std::move(writer.found);

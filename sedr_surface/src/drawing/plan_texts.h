@@ -51,7 +51,8 @@ struct DrawingLabel {
   std::vector<PlanLoop> off{}; ///< loops that it keeps off
 };
 
-/** @brief Places labels, then the notes of lines along them. */
+/** @brief Places labels, those without space for all of their lines with the first
+ * ones, then the notes of lines along them. */
 PlanTexts placedLabels(const std::vector<DrawingLabel>& labels,
                        const std::vector<PlanLine>& lines,
                        const PlanFrame& frame,

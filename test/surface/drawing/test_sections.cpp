@@ -217,4 +217,16 @@ TEST(Elevations, ShowOpeningsWhereTheyAreSeenFromTheRoom)
   EXPECT_TRUE(holds(dxf, "\n10\n17.0000000\n20\n2.1000000\n"));
 }
 
+TEST(Elevations, NarrowDoorsHaveTheirNumbers)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  plan.openings = {
+      {OpeningKind::Door, {1, 0}, {{1, 0}}, {2, -0.1}, {2.7, -0.1}, 0, 2, 0, 0.2}};
+  DrawingSettings small;
+  small.scale = 100;
+  const std::string svg = drawElevations(plan, 1, {DrawingFormat::Svg}, small)[0];
+  EXPECT_TRUE(holds(svg, ">D1<"));
+  EXPECT_FALSE(holds(svg, ">0.70 x 2.00<")) << "no space";
+}
+
 } // namespace
