@@ -263,7 +263,7 @@
     const markOf = door => door.number ? ({ door: 'D', window: 'W', passage: 'P' }[door.kind] || 'O') + door.number : '';
     const length = door => Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]);
     if (found.length)
-      section.querySelector('.wide').append(table([['number', door => markOf(door)], ['kind', door => door.kind, 'text'],
+      section.querySelector('.wide').append(table([['number', door => markOf(door)], ['kind', door => door.kind, 'word'],
         ['between', door => door.rooms.map(name).join(' and '), 'text'],
         ['walls', door => (door.walls || []).map(wall => wall.room + '.' + (wall.element + 1)).join(', ')],
         ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')],
