@@ -188,14 +188,15 @@ PlanEditor::removeJog(std::uint32_t room, std::size_t wall)
     Eigen::Vector2d way;
     const PlanElement& onto = walls[line];
     const Eigen::Vector2d middle = walls[moved].pointAt(walls[moved].length() / 2);
-    const double distance = offLine(onto, middle, way);
+    const double turn = -angleTo(onto, walls[moved]);
+    const double distance = offLine(onto, middle, way) / std::cos(turn);
     if (std::abs(distance) > max_wall_)
       return wallName(of, w) + " is no jog: " + wallName(of, moved) +
              formatText(" would move by %.3f m, more than a wall is thick, %.3f m",
                         std::abs(distance), max_wall_);
     sentence_ =
         movedText(of, moved, distance) + " into the line of " + wallName(of, line);
-    return moveOne(plan, of, moved, {-angleTo(onto, walls[moved]), distance});
+    return moveOne(plan, of, moved, {turn, distance});
   });
 }
 

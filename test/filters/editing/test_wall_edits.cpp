@@ -201,6 +201,19 @@ TEST(PlanEditor, AJogANotchAndABayAreRemoved)
             "the end of a notch or bay");
 }
 
+TEST(PlanEditor, AJogBetweenWallsThatAreNotQuiteParallelIsRemovedToo)
+{
+  Floorplan plan;
+  plan.rooms = {
+      roomOf(sedr_test::polygon({{0, 0}, {5.9, 0}, {6, 4}, {6.3, 4}, {6.3, 6}, {0, 6}}),
+             2.5, 1)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.removeJog(1, 3)) << editor.getErrorMessage(); // y = 4
+  expectValid(editor);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 4u);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), (5.9 + 6.05) / 2 * 6, 1e-6);
+}
+
 TEST(PlanEditor, AWallMovedBeyondItsNeighbourTakesItAway)
 {
   Floorplan plan; // a wedge: the sides meet 1 m above its top of 1 m
