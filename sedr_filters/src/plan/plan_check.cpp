@@ -266,32 +266,24 @@ checkPlan(const Floorplan& plan)
     checkOpening(opening, plan, ids);
 }
 
-/** @brief Returns the sentence that a check throws, or an empty text. */
-template <typename Thing>
-std::string
-problemOf(void (*check)(const Thing&), const Thing& thing)
-{
-  try {
-    check(thing);
-    return {};
-  }
-  catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
 } // namespace
 
 std::string
 roomProblem(const PlanRoom& room)
 {
-  return problemOf(checkRoom, room);
+  return planProblem({{room}});
 }
 
 std::string
 planProblem(const Floorplan& plan)
 {
-  return problemOf(checkPlan, plan);
+  try {
+    checkPlan(plan);
+    return {};
+  }
+  catch (const std::invalid_argument& error) {
+    return error.what();
+  }
 }
 
 } // namespace pcl::sedr

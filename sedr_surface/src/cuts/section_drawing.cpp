@@ -26,26 +26,6 @@ struct CutRoom {
   std::vector<PlanLoop> loops;
 };
 
-/** @brief Returns the gap between a loop and the nearest one above it over much of its
- * breadth; the assumed thickness if there is none near. */
-double
-slabAbove(const PlanLoop& loop, const std::vector<CutRoom>& rooms, double sign)
-{
-  const Eigen::AlignedBox2d box = boundsOf(loop);
-  double nearest = max_slab;
-  for (const CutRoom& other : rooms)
-    for (const PlanLoop& o : other.loops) {
-      const Eigen::AlignedBox2d b = boundsOf(o);
-      const double gap =
-          sign > 0 ? b.min().y() - box.max().y() : box.min().y() - b.max().y();
-      const double common =
-          std::min(b.max().x(), box.max().x()) - std::max(b.min().x(), box.min().x());
-      if (gap > 0 && common > 0.25 * box.sizes().x())
-        nearest = std::min(nearest, gap);
-    }
-  return nearest < max_slab ? nearest : assumed_slab;
-}
-
 PlanLoop
 shifted(PlanLoop loop, double up)
 {
@@ -77,7 +57,7 @@ addSlabs(const PlanLoop& loop,
 /** @brief Adds what hangs down into a cut room, such as a beam, and the slab above it,
  * as high as on both sides. */
 void
-addBeams(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
+addBeams(const PlanLoop& loop, std::vector<PlanArea>& bodies)
 {
   const std::vector<PlanElement>& all = loop.elements;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -87,15 +67,15 @@ addBeams(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
     if (isUpright(down) && isUpright(up) && all[k].end.x() < all[k].start.x() &&
         top > all[k].start.y())
       bodies.push_back({rectangleOf(all[k].end.x(), all[k].start.x(), all[k].start.y(),
-                                    top + thickness)});
+                                    top + assumed_slab)});
   }
 }
 
 /** @brief Adds what a cut room stands on, platforms filled. */
 void
-addFloor(const PlanLoop& loop, double thickness, std::vector<PlanArea>& bodies)
+addFloor(const PlanLoop& loop, std::vector<PlanArea>& bodies)
 {
-  const double base = boundsOf(loop).min().y() - thickness;
+  const double base = boundsOf(loop).min().y() - assumed_slab;
   for (const PlanElement& e : loop.elements)
     if (e.end.x() > e.start.x() && !isUpright(e))
       bodies.push_back(
@@ -191,11 +171,10 @@ sectionOf(const Floorplan& plan,
   const double zero = plan.rooms.empty() ? 0 : usualFloor(plan, storeysOf(plan)[0]);
   for (const CutRoom& cut : rooms)
     for (const PlanLoop& loop : cut.loops) {
-      const double above = slabAbove(loop, rooms, 1);
-      bodies.push_back({shifted(loop, above)});
+      bodies.push_back({shifted(loop, assumed_slab)});
       addSlabs(loop, rooms, bodies);
-      addBeams(loop, above, bodies);
-      addFloor(loop, slabAbove(loop, rooms, -1), bodies);
+      addBeams(loop, bodies);
+      addFloor(loop, bodies);
       if (loop.area() > 0)
         open.push_back({loop});
       drawing.outlines.push_back(loop);
