@@ -93,12 +93,7 @@ main(int argc, char** argv)
   options.number("scale", settings.scale, "", "50 for 1:50; 0: what fits the paper",
                  Range::between(0, 1e6));
   options.text("paper", paper, "smallest paper of the sheet", paper_names);
-  options.text("title", settings.title,
-               "of the sheet; \"Floor plan\" if none is given");
-  options.text("client", settings.client, "of the title block, as are the next ones");
-  options.text("project", settings.project, "name of the project");
-  options.text("date", settings.date, "such as 2024-05-31");
-  options.text("drawn-by", settings.drawn_by, "who has drawn it");
+  addSheetTexts(options, settings.texts);
   options.flag("ceiling", is_ceiling, "draw the reflected ceiling plan instead");
   options.flag("wall-numbers", settings.wall_numbers,
                "write the numbers of walls, which warnings name");

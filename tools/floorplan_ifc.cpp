@@ -41,6 +41,8 @@ main(int argc, char** argv)
                {"exact", "faceted"});
   options.text("project", settings.name,
                "name of project and building; GUIDs are made of it and of the scan");
+  options.text("date", settings.date, "of the file, such as 2024-05-31");
+  options.text("drawn-by", settings.author, "author of the file");
   options.text("schedules", schedules,
                "folder for rooms.csv, openings.csv and walls.csv; none: not written");
   options.text("crs", settings.crs,

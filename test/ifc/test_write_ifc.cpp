@@ -97,6 +97,34 @@ TEST(WriteIfc, GuidsAreThoseOfProjectScanAndElement)
       << "whatever is removed";
 }
 
+TEST(WriteIfc, TellsAuthorAndDateIfTheyAreGiven)
+{
+  IfcSettings settings;
+  settings.author = "E. König";
+  settings.date = "2024-05-31";
+  EXPECT_EQ(count(writeIfc(twoRooms(), settings).text,
+                  "'2024-05-31T00:00:00',('E. K\\X2\\00F6\\X0\\nig')"),
+            1u);
+  settings.date = "in May"; // which IFC has no form for
+  EXPECT_EQ(count(writeIfc(twoRooms(), settings).text, "'1970-01-01T00:00:00'"), 1u);
+}
+
+TEST(WriteIfc, TellsOfEachElementWhetherItWasMeasured)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}}; // four walls and two slabs
+  const auto numberOf = [&](const char* status) {
+    return count(writeIfc(plan).text,
+                 std::string("'Status',$,IFCLABEL('") + status + "')");
+  };
+  EXPECT_EQ(numberOf("inferred"), 6u);
+  plan.rooms[0].floor.accuracy = {0.001, 0.004};
+  plan.rooms[0].boundary.elements[0].accuracy = {0.001, 0.004};
+  plan.rooms[0].details = {detailOf(rectangle(0, 1, 4, 1.3), 2.2)}; // a beam
+  plan.rooms[0].details[0].slab.accuracy = {0.001, 0.004};
+  EXPECT_EQ(numberOf("measured"), 3u);
+  EXPECT_EQ(numberOf("inferred"), 4u);
+}
+
 TEST(WriteIfc, WallsAreExternalUnlessRoomsLieBehindThem)
 {
   Floorplan plan = twoRooms(); // 7 walls, one between the rooms

@@ -134,7 +134,11 @@ TEST_F(SedrTool, AProjectHasItsOwnGuids)
     const std::string ifc = bytesOf(in("model/model.ifc"));
     return ifc.substr(ifc.find("=IFCPROJECT('") + 13, 22);
   };
-  const std::string mill = guidOf({"--no-mesh", "--project", "Mill Lane"});
+  const std::string mill =
+      guidOf({"--no-mesh", "--project", "Mill Lane", "--client", "Smith"});
+  EXPECT_NE(bytesOf(in("model/ceiling.svg")).find(">Smith<"), std::string::npos);
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  EXPECT_EQ(report.at("parameters").at("client"), "Smith");
   EXPECT_NE(bytesOf(in("model/floorplan.svg")).find(">Mill Lane<"), std::string::npos);
   EXPECT_EQ(mill, guidOf({"--no-mesh", "--project", "Mill Lane", "--threads", "1"}));
   EXPECT_NE(mill, guidOf({"--no-mesh", "--project", "Park Road"}));

@@ -238,9 +238,10 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
   const TitleTexts& texts = drawing.title;
   Sheet sheet;
   sheet.size = drawing.layout.size;
-  sheet.title = (settings.title.empty() ? texts.usual_title : settings.title) +
-                " 1:" + shortDecimalText(drawing.layout.scale, 2) +
-                (texts.part == "all" ? "" : ", " + texts.part);
+  sheet.title =
+      (settings.texts.title.empty() ? texts.usual_title : settings.texts.title) +
+      " 1:" + shortDecimalText(drawing.layout.scale, 2) +
+      (texts.part == "all" ? "" : ", " + texts.part);
   if (!settings.origin.isZero())
     sheet.description = settings.origin.comment();
   if (drawing.plan.rooms.empty())

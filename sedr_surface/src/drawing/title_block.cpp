@@ -113,18 +113,19 @@ addTitleBlock(Sheet& sheet,
               const TitleTexts& texts)
 {
   TitleStrip strip(sheet, layout);
-  strip.addCell(0, 0, 0.3, "Title",
-                settings.title.empty() ? texts.usual_title : settings.title,
-                large_font);
-  strip.addCell(0, 0.3, 0.5, "Project", settings.project, large_font);
-  strip.addCell(0, 0.5, 0.7, "Client", settings.client, large_font);
+  const SheetTexts& given = settings.texts;
+  const bool has_title = !given.title.empty();
+  strip.addCell(0, 0, 0.3, has_title ? texts.usual_title : "Title",
+                has_title ? given.title : texts.usual_title, large_font);
+  strip.addCell(0, 0.3, 0.5, "Project", given.project, large_font);
+  strip.addCell(0, 0.5, 0.7, "Client", given.client, large_font);
   strip.addCell(0, 0.7, 0.85, texts.part_caption, texts.part, large_font);
   strip.addCell(0, 0.85, 1, "Scale",
                 "1:" + shortDecimalText(layout.scale, 2) + " " + layout.paper,
                 large_font);
   strip.addCell(1, 0, 0.3, texts.summary_caption, texts.summary);
-  strip.addCell(1, 0.3, 0.4, "Date", settings.date);
-  strip.addCell(1, 0.4, 0.5, "Drawn", settings.drawn_by);
+  strip.addCell(1, 0.3, 0.4, "Date", given.date);
+  strip.addCell(1, 0.4, 0.5, "Drawn", given.drawn_by);
   strip.addCell(1, 0.5, 0.6, "Checked", "");
   strip.addCell(1, 0.6, 1, "", "");
   strip.addScaleBar(1, 0.6);

@@ -28,12 +28,14 @@ isBeam(const PlanDetail& detail)
          std::abs(detail.boundary.area()) >= min_slenderness * width * width;
 }
 
-/** @brief Writes the volume between a detail and its slab. */
+/** @brief Writes the volume between a detail and its slab.
+ * @param accuracy of the detail */
 void
 writeDetail(IfcDocument& document,
             const IfcRoom& written,
             const std::string& name,
             const PlanSlab& slab,
+            const SurfaceAccuracy& accuracy,
             const char* type,
             const char* kind)
 {
@@ -53,7 +55,11 @@ writeDetail(IfcDocument& document,
               document.groundOf(written.storey));
   const StepRef place = document.placeIn(written.storey);
   const StepRef shape = document.shapeOf(document.shapes.faceSet(body), "detail");
-  document.addElement(type, name, written.storey, place, shape, {symbol(kind)});
+  const StepRef ref =
+      document.addElement(type, name, written.storey, place, shape, {symbol(kind)});
+  std::vector<Property> properties;
+  appendAccuracy(accuracy, properties);
+  document.addProperties(ref, name, "Pset_SEDR", properties);
 }
 
 void
@@ -101,6 +107,8 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
 void
 appendAccuracy(const SurfaceAccuracy& accuracy, std::vector<Property>& properties)
 {
+  properties.emplace_back(
+      "Status", typed("IFCLABEL", accuracy.isKnown() ? "measured" : "inferred"));
   properties.emplace_back("MeasuredAccuracy",
                           typed("IFCLABEL", measuredLevel(accuracy)));
   properties.emplace_back("RepresentedAccuracy",
@@ -132,14 +140,14 @@ writeDetails(IfcDocument& document)
           sideOf(room.details[d], room.ceiling) >= 0)
         continue;
       const bool is_beam = isBeam(room.details[d]);
-      writeDetail(document, written, name, room.ceiling,
+      writeDetail(document, written, name, room.ceiling, room.details[d].slab.accuracy,
                   is_beam ? "IFCBEAM" : "IFCCOVERING", is_beam ? "BEAM" : "CEILING");
     }
     for (std::size_t d = 0; d < room.floor_details.size(); ++d)
       if (sideOf(room.floor_details[d], room.floor) > 0)
         writeDetail(document, written,
                     nameIn(room, "floor_detail_" + std::to_string(d + 1)), room.floor,
-                    "IFCSLAB", "LANDING");
+                    room.floor_details[d].slab.accuracy, "IFCSLAB", "LANDING");
   }
 }
 

@@ -271,6 +271,7 @@ pcl::sedr::writeIfc(const Floorplan& plan,
   ifc::writeDetails(document);
   ifc::writeStairs(document);
   document.finish();
-  document.model.text = document.step.text(settings.name + ".ifc");
+  document.model.text =
+      document.step.text(settings.name + ".ifc", settings.author, settings.date);
   return std::move(document.model);
 }

@@ -6,6 +6,7 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include <cstdio>
+#include <regex>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -77,14 +78,18 @@ StepFile::add(const std::string& type, const std::vector<StepValue>& attributes)
 }
 
 std::string
-StepFile::text(const std::string& name) const
+StepFile::text(const std::string& name,
+               const std::string& author,
+               const std::string& date) const
 {
-  // No time stamp, so that the same plan gives the same bytes.
+  const bool is_date = std::regex_match(
+      date, std::regex("\\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\\d|3[01])"));
   return "ISO-10303-21;\nHEADER;\n"
          "FILE_DESCRIPTION(('ViewDefinition "
          "[ReferenceView_V1.2]'),'2;1');\nFILE_NAME(" +
-         stepText(name) +
-         ",'1970-01-01T00:00:00',(''),(''),'SEDR','SEDR','');\n"
+         stepText(name) + ",'" + (is_date ? date : "1970-01-01") + "T00:00:00',(" +
+         stepText(author) +
+         "),(''),'SEDR','SEDR','');\n"
          "FILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n" +
          data_ + "ENDSEC;\nEND-ISO-10303-21;\n";
 }

@@ -98,8 +98,12 @@ public:
   StepRef add(const std::string& type, const std::vector<StepValue>& attributes);
 
   /** @brief Returns the complete file.
-   * @param name of the file, for the header */
-  std::string text(const std::string& name) const;
+   * @param name of the file, for the header, as are the next ones
+   * @param date such as 2024-05-31; any other text is a fixed date, so that the same
+   * plan gives the same bytes */
+  std::string text(const std::string& name,
+                   const std::string& author,
+                   const std::string& date) const;
 
 private:
   std::size_t count_ = 0;

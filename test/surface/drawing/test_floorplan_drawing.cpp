@@ -115,14 +115,14 @@ TEST(FloorplanDrawing, OuterWallsHaveBothFaces)
 TEST(FloorplanDrawing, TheTitleBlockIsFilled)
 {
   DrawingSettings settings;
-  settings.title = "Mill Lane 14";
-  settings.client = "Smith & Sons";
-  settings.project = "P-17";
-  settings.date = "2024-05-31";
-  settings.drawn_by = "EK";
+  settings.texts.title = "Mill Lane 14";
+  settings.texts.client = "Smith & Sons";
+  settings.texts.project = "P-17";
+  settings.texts.date = "2024-05-31";
+  settings.texts.drawn_by = "EK";
   const std::string svg = svgOf(planOf(rectangle(0, 0, 6, 4)), settings);
-  for (const char* text :
-       {">Mill Lane 14<", ">Smith &amp; Sons<", ">P-17<", ">2024-05-31<", ">EK<"})
+  for (const char* text : {">Floor plan<", ">Mill Lane 14<", ">Smith &amp; Sons<",
+                           ">P-17<", ">2024-05-31<", ">EK<"})
     EXPECT_TRUE(holds(svg, text)) << text;
 }
 

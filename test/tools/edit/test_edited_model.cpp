@@ -35,6 +35,12 @@ protected:
     report["warnings"] = {doubt(0, 0, "of all"), doubt(1, 3, "wall 1.3: off"),
                           doubt(1, 0, "room 1: low"), doubt(2, 2, "wall 2.2: off"),
                           doubt(2, 0, "room 2: low")};
+    for (const auto& [key, text] : {std::pair("title", "Mill Lane 14"),
+                                    {"client", "Smith"},
+                                    {"project", "P-17"},
+                                    {"date", "2024-05-31"},
+                                    {"drawn_by", "EK"}})
+      report["parameters"][key] = text;
     writeFile(in("model/report.json"), report.dump());
   }
 
@@ -82,6 +88,17 @@ TEST_F(EditedModel, AllFilesThatFollowFromThePlanAreOfTheNewOneAndAgree)
             std::string::npos);
   EXPECT_NE(bytesOf(in("model/model.ifc")).find("12."), std::string::npos);
   EXPECT_NE(bytesOf(in("model/floorplan.svg")).find("12.00 m"), std::string::npos);
+}
+
+TEST_F(EditedModel, SheetsAndIfcKeepTheTextsOfTheRun)
+{
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--name", "2=Hall"}).exit_code, 0);
+  const std::string sheet = bytesOf(in("model/floorplan.svg"));
+  for (const char* text : {"Mill Lane 14", "Smith", "P-17", "2024-05-31", "EK"})
+    EXPECT_NE(sheet.find(">" + std::string(text) + "<"), std::string::npos) << text;
+  EXPECT_NE(
+      bytesOf(in("model/model.ifc")).find("('P-17.ifc','2024-05-31T00:00:00',('EK')"),
+      std::string::npos);
 }
 
 TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)

@@ -65,7 +65,7 @@ public:
   {
     loadFonts();
     const Json& parameters = report["parameters"];
-    files.project = parameters.value("project", "");
+    files.texts = nlohmann::json(parameters).get<SheetTexts>();
     extrusion.setFloorplan(files.document.plan);
     extrusion.setCutOpenings(parameters.value("cut_openings", false));
     pcl::PolygonMesh unused;

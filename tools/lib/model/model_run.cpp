@@ -214,7 +214,7 @@ planFiles(const ModelSettings& settings,
           model.inScanFrame(extrusion.getMesh()),
           extrusion.getElements(),
           colours.ofElements(extrusion.getMesh(), extrusion.getElements()),
-          settings.project,
+          settings.texts,
           settings.threads};
 }
 
@@ -272,7 +272,7 @@ makeModel(const ModelSettings& settings,
   RunRecord record;
   record.inputs = settings.inputs;
   record.reading = settings.scan.settings;
-  record.project = settings.project;
+  record.texts = settings.texts;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
   });

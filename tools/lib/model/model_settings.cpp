@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_settings.h"
+#include "solid_files.h"
 #include "tool_error.h"
 
 #include <algorithm>
@@ -62,8 +63,7 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
   options.flag("partial", s.partial,
                "write the model even if it holds less than half of the floor that was "
                "seen");
-  options.text("project", s.project,
-               "name of the project, for drawings and IFC, whose GUIDs are made of it");
+  addSheetTexts(options, s.texts);
   options.text("prior", s.priors,
                "what is believed before the scan is looked at, name=value, with commas "
                "between them; see doc/priors.md");

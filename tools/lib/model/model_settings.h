@@ -4,6 +4,7 @@
 #include "options.h"
 #include "scan_options.h"
 
+#include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <string>
@@ -24,7 +25,7 @@ struct ModelSettings {
   bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
-  std::string project;             ///< name, for drawings and IFC
+  SheetTexts texts;
   std::string priors;              ///< name=value, separated by commas
   std::string openings = "closed"; ///< or "cut": FloorplanExtrusion::setCutOpenings()
 };

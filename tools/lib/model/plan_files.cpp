@@ -34,8 +34,10 @@ writeBuildingModel(const OutputFolder& folder, const PlanFiles& files)
 {
   const PlanDocument& document = files.document;
   IfcSettings settings;
-  if (!files.project.empty())
-    settings.name = files.project;
+  if (!files.texts.project.empty())
+    settings.name = files.texts.project;
+  settings.date = files.texts.date;
+  settings.author = files.texts.drawn_by;
   settings.scan = document.scan;
   settings.max_wall = document.max_wall;
   IfcModel model = writeIfc(document.plan, settings, document.origin);
@@ -50,7 +52,7 @@ writeDrawings(const OutputFolder& folder, const PlanFiles& files)
 {
   const PlanDocument& document = files.document;
   DrawingSettings settings;
-  settings.project = files.project;
+  settings.texts = files.texts;
   settings.max_wall = document.max_wall;
   settings.origin = document.origin;
   std::vector<DrawingSheet> sheets = allDrawings(document.plan);

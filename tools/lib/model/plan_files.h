@@ -4,6 +4,7 @@
 #include "output_folder.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
@@ -20,8 +21,8 @@ struct PlanFiles {
   TriangleMesh solid; ///< in the frame to write it in
   std::vector<SolidElement> elements;
   std::vector<SeenColour> colours; ///< of the elements; empty: those of their labels
-  std::string project;             ///< name, may be empty
-  unsigned threads = 0;            ///< 0: all processors
+  SheetTexts texts;
+  unsigned threads = 0; ///< 0: all processors
 };
 
 /** @brief Returns their names, without those of several storeys. */

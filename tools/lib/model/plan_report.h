@@ -4,6 +4,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/room_solid.h>
 #include <pcl/sedr_surface/schedules.h>
 
@@ -11,6 +12,18 @@
 
 #include <string>
 #include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Makes texts of sheets members of the parameters in report.json. */
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(SheetTexts,
+                                                title,
+                                                client,
+                                                project,
+                                                date,
+                                                drawn_by)
+
+} // namespace pcl::sedr
 
 namespace pcl::sedr::tools {
 

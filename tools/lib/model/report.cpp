@@ -163,6 +163,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", warningsOf(run.warnings, plan)}};
+  json["parameters"].update(Json(nlohmann::json(run.texts)));
   setPlan(json, plan, run.schedules, chain.getStages().extrusion.getReports());
   tellScanOfRooms(chain, json["rooms"]);
   return textOf(std::move(json), chain.getOrigin());

@@ -4,6 +4,7 @@
 #include "scan_settings.h"
 
 #include <pcl/sedr_surface/coverage.h>
+#include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/schedules.h>
@@ -19,8 +20,8 @@ namespace pcl::sedr::tools {
 struct RunRecord {
   std::vector<std::string> inputs; ///< files and folders
   std::size_t points = 0;
-  ScanSettings reading;           ///< of the scan
-  std::string project;            ///< its name, may be empty
+  ScanSettings reading; ///< of the scan
+  SheetTexts texts;
   std::vector<std::string> files; ///< that the run wrote, names in the folder
   Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing

@@ -73,7 +73,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"repair_grid_size", c.hole_repair.getGridSize()},
           {"chord_tolerance", c.extrusion.getChordTolerance()},
           {"cut_openings", c.extrusion.getCutOpenings()},
-          {"project", run.project},
           {"tree_depth", c.poisson.getDepth()}};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "options.h"
 #include "sedr_surface/src/solid/room_layers.h"
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/scan_frame.h>
@@ -38,6 +39,9 @@ void checkDrawingOutput(const std::string& path);
 
 /** @brief Returns the format of a drawing by the extension of its file. */
 DrawingFormat formatOf(const std::string& path);
+
+/** @brief Declares the options for the texts of sheets. */
+void addSheetTexts(Options& options, SheetTexts& texts);
 
 /** @brief A drawing to write: its files and its content. */
 struct DrawingSheet {

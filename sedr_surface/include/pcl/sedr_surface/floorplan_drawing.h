@@ -21,6 +21,15 @@ enum class PaperSize { A4, A3, A2, A1, A0 };
  * in a mirror on the floor. */
 enum class DrawingView { Floor, Ceiling };
 
+/** @brief What the title block of a sheet tells; fields without text are left empty. */
+struct SheetTexts {
+  std::string title{}; ///< "": what is drawn, such as "Floor plan"
+  std::string client{};
+  std::string project{};
+  std::string date{};
+  std::string drawn_by{};
+};
+
 /** @brief How a plan is drawn. */
 struct DrawingSettings {
   /** World metres per paper metre: 50 for 1:50. 0: the largest scale of a scale ruler
@@ -35,11 +44,7 @@ struct DrawingSettings {
   PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
   DrawingView view = DrawingView::Floor;
   bool wall_numbers = false; ///< write those of walls, as warnings name them
-  std::string title{};       ///< "": "Floor plan", "Reflected ceiling plan"
-  std::string client{};      ///< of the title block, as are the next ones
-  std::string project{};
-  std::string date{};
-  std::string drawn_by{};
+  SheetTexts texts{};
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 

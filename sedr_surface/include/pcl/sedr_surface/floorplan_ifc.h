@@ -21,6 +21,8 @@ enum class IfcArcs { Exact, Facets };
 struct IfcSettings {
   std::string name = "building"; ///< of project and building
   std::string scan;              ///< see PlanDocument::scan; GUIDs depend on both
+  std::string author;            ///< of the file, as is the next one
+  std::string date;              ///< such as 2024-05-31; others are not written
   std::string crs;               ///< grid of the origin, such as EPSG:25832
   IfcArcs arcs = IfcArcs::Exact;
   double assumed_thickness = 0.2;      ///< if one face was seen, metres, 0.02 to 2
