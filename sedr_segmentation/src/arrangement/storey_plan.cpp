@@ -113,11 +113,10 @@ public:
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
     expand(every, nullptr, 4);
-    for (bool goes_on = true; goes_on;) {
-      const bool is_pruned = prune();
-      goes_on = expand(every, nullptr, 4).first < 0 || is_pruned || !shares_prices_;
-      shares_prices_ = true;
-    }
+    while (prune())
+      expand(every, nullptr, 4);
+    shares_prices_ = true;
+    expand(every, nullptr, 4);
   }
 
   const std::vector<int>& labels() const { return labels_; }

@@ -125,7 +125,7 @@ TEST(FaceCurves, ATurnedFaceIsKeptInACleanRoomAndNotInAClutteredOne)
   std::uniform_real_distribution<double> y(0.3, 2.5);
   const auto curvesWith = [&](int things) {
     std::vector<Eigen::Vector2d> places =
-        placesOn({rectangle(0, 0, 6, 5), {{segment({2, 3.5}, {2.35, 3.75})}}}, 0.003);
+        placesOn({rectangle(0, 0, 6, 5), {{segment({2, 3.5}, {2.65, 3.96})}}}, 0.003);
     for (int k = 0; k < things; ++k)
       places.emplace_back(x(random), y(random));
     return pcl::sedr::faceCurves(places).curves.size();
