@@ -19,23 +19,6 @@ using pcl::sedr::SectionLine;
 
 namespace {
 
-/** @brief Returns the drawing sheet of one storey. */
-DrawingSheet
-sheetOf(const std::string& output,
-        const Floorplan& plan,
-        std::uint32_t number,
-        pcl::sedr::DrawingView view)
-{
-  std::string known;
-  for (const auto& storey : pcl::sedr::storeysOf(plan)) {
-    if (storey.number == number)
-      return {{output}, storey, view, {}};
-    known += (known.empty() ? "" : ", ") + std::to_string(storey.number);
-  }
-  throw ToolError("there is no storey " + std::to_string(number) +
-                  " in the plan; there are: " + known);
-}
-
 /** @brief Reads where a section runs: x,y,x,y, or through rooms or stairs of the plan.
  */
 SectionLine
@@ -125,13 +108,14 @@ main(int argc, char** argv)
       writeWhole(output, drawElevations(drawn, room, {formatOf(output)}, settings)[0]);
       return Done;
     }
-    if (storey > 0) {
-      saveDrawing(
-          sheetOf(output, drawn, static_cast<std::uint32_t>(storey), settings.view),
-          drawn, settings);
-      return Done;
-    }
-    const auto sheets = drawingSheets({output}, drawn, settings.view);
+    settings.sections = sectionsOf(allDrawings(drawn));
+    std::vector<DrawingSheet> sheets = drawingSheets({output}, drawn, settings.view);
+    if (storey > sheets.size())
+      throw ToolError("there is no storey " + std::to_string(storey) +
+                      " in the plan; the uppermost is " +
+                      std::to_string(sheets.size()));
+    if (storey > 0)
+      sheets = {{{output}, sheets[storey - 1].storey, settings.view, {}}};
     for (const DrawingSheet& sheet : sheets)
       checkDrawingOutput(sheet.paths[0]);
     for (const DrawingSheet& sheet : sheets)

@@ -3,7 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <vector>
@@ -20,6 +20,13 @@ segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
   return e;
 }
 
+/** @brief Returns a direction turned by 90 degrees, counter-clockwise. */
+inline Eigen::Vector2d
+leftOf(const Eigen::Vector2d& way)
+{
+  return {-way.y(), way.x()};
+}
+
 /** @brief Returns the loop of straight segments between corners. */
 inline PlanLoop
 loopOf(const std::vector<Eigen::Vector2d>& corners)
@@ -28,6 +35,15 @@ loopOf(const std::vector<Eigen::Vector2d>& corners)
   for (std::size_t k = 0; k < corners.size(); ++k)
     loop.elements.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
   return loop;
+}
+
+/** @brief Returns the outline of a box. */
+inline PlanLoop
+loopAround(const Eigen::AlignedBox2d& box)
+{
+  const Eigen::Vector2d low = box.min();
+  const Eigen::Vector2d high = box.max();
+  return loopOf({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
 }
 
 } // namespace pcl::sedr

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/plan/plan_segment.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief Returns `v` rotated by 90 degrees counter-clockwise. */
-inline Eigen::Vector2d
-leftOf(const Eigen::Vector2d& v)
-{
-  return {-v.y(), v.x()};
-}
 
 /** @brief Carrier curve of a wall in plan: an infinite line or a full circle, metres.
  */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stair_flights.h"
 
+#include "sedr_filters/src/plan/plan_segment.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,12 +12,6 @@
 namespace pcl::sedr {
 
 namespace {
-
-Eigen::Vector2d
-leftOf(const Eigen::Vector2d& way)
-{
-  return {-way.y(), way.x()};
-}
 
 /** @brief The riser before the first of a flight or after its last, as it runs and
  * turns there. */

@@ -37,7 +37,7 @@ isUpright(const PlanElement& e)
 PlanLoop
 rectangleOf(double left, double right, double bottom, double top)
 {
-  return loopOf({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+  return loopAround({Eigen::Vector2d(left, bottom), Eigen::Vector2d(right, top)});
 }
 
 void

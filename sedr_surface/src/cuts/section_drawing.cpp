@@ -200,17 +200,18 @@ sectionOf(const Floorplan& plan,
   const auto place = [](const Eigen::Vector2d& p) {
     return decimalText(p.x(), 2) + ", " + decimalText(p.y(), 2);
   };
-  drawing.title = {"Section",
-                   "Section through",
-                   place(line.from) + " and " + place(line.to),
-                   "Rooms cut",
-                   std::to_string(std::count_if(
-                       rooms.begin(), rooms.end(),
-                       [](const CutRoom& cut) { return !cut.loops.empty(); })),
-                   "Dimensions in metres, from face to face. Levels above the usual "
-                   "floor of the lowest storey. Slabs and roofs of which one side was "
-                   "seen: 0.20 m assumed.",
-                   false};
+  drawing.title = {
+      line.letter.empty() ? "Section" : "Section " + line.letter + "-" + line.letter,
+      "Section through",
+      place(line.from) + " and " + place(line.to),
+      "Rooms cut",
+      std::to_string(
+          std::count_if(rooms.begin(), rooms.end(),
+                        [](const CutRoom& cut) { return !cut.loops.empty(); })),
+      "Dimensions in metres, from face to face. Levels above the usual "
+      "floor of the lowest storey. Slabs and roofs of which one side was "
+      "seen: 0.20 m assumed.",
+      false};
   complete(drawing, settings);
   return drawing;
 }
@@ -236,8 +237,11 @@ sectionThroughRooms(const Floorplan& plan)
   std::pair<std::size_t, double> most{0, 0};
   for (const PlanRoom& room : plan.rooms) {
     const Eigen::Vector2d at = textSpotIn(room.boundary, room.columns).place;
-    for (const Eigen::Vector2d& way : directionsOf(room)) {
-      const SectionLine line{at, at + way};
+    std::vector<Eigen::Vector2d> ways = directionsOf(room);
+    if (ways.empty()) // it is round
+      ways.emplace_back(1, 0);
+    for (const Eigen::Vector2d& way : ways) {
+      const SectionLine line{at, at + way, "A"};
       std::pair<std::size_t, double> cut{0, 0}; // rooms, metres
       for (const PlanRoom& other : plan.rooms) {
         const auto ranges = rangesIn(other.boundary, line);
@@ -275,7 +279,7 @@ sectionThroughStairs(const Floorplan& plan)
           farthest = along.dot(up);
           way = along;
         }
-    return SectionLine{middle, middle + way};
+    return SectionLine{middle, middle + way, "B"};
   }
   return std::nullopt;
 }

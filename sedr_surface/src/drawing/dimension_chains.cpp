@@ -2,6 +2,7 @@
 #include "dimension_chains.h"
 
 #include "../mesh/mesh_outlines.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +195,7 @@ openingChains(const Floorplan& plan,
     const Eigen::Vector2d out = Eigen::Rotation2Dd(-frame.turn) * side; // in the plan
     for (const PlanOpening& opening : plan.openings) {
       const Eigen::Vector2d way = (opening.end - opening.start).normalized();
-      const Eigen::Vector2d left(-way.y(), way.x());
+      const Eigen::Vector2d left = leftOf(way);
       const SectionLine sight{(opening.start + opening.end) / 2,
                               (opening.start + opening.end) / 2 + out};
       const auto hides = [&](const PlanRoom& room) {

@@ -3,6 +3,7 @@
 
 #include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -70,7 +71,7 @@ boxesFor(const SheetDimension& d, const std::string& text, const Eigen::Vector2d
 {
   constexpr double rise = 2.1; // of the text above its line
   const Eigen::Vector2d along = wayAlong(side);
-  const Eigen::Vector2d up(-along.y(), along.x());
+  const Eigen::Vector2d up = leftOf(along);
   const Eigen::Vector2d half = small_font * halfSizeOf({text});
   const double stretch = (d.end - d.start).norm();
   const double below = beyond + half.y() + 0.1;

@@ -55,7 +55,7 @@ OpeningGap
 gapOf(const Floorplan& plan, const PlanOpening& opening, double depth)
 {
   const Eigen::Vector2d way = (opening.end - opening.start) / opening.width();
-  const Eigen::Vector2d left(-way.y(), way.x());
+  const Eigen::Vector2d left = leftOf(way);
   const double beyond = depth - opening.depth / 2; // from the middle of the wall
   const Eigen::Vector2d to_left =
       (opening.rooms[0] == 0 ? beyond : opening.depth / 2) * left;

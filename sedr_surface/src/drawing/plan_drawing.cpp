@@ -203,12 +203,60 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
           outlines.push_back(loop);
   }
   const PlanFrame& frame = layout.frame;
+  const Eigen::AlignedBox2d box = boundsOf(plan, walls, frame);
   around_ = TextPlaces(layout.size);
-  dimensions = placedRows(rowsAround(plan, frame.turn, settings.max_wall),
-                          boundsOf(plan, walls, frame), frame, around_);
+  for (const SectionLine& section : settings.sections)
+    if (view == DrawingView::Floor)
+      addMark(section, box);
+  dimensions =
+      placedRows(rowsAround(plan, frame.turn, settings.max_wall), box, frame, around_);
   text_settings_ = {view, usualFloor(whole, storeysOf(whole).front()),
                     settings.wall_numbers};
   draw(finest);
+}
+
+/** @brief Adds the marks at both ends of a section, beside the plan: a stroke along its
+ * line, an arrow the way one looks, and the letter. */
+void
+PlanDrawing::addMark(const SectionLine& section, const Eigen::AlignedBox2d& box)
+{
+  constexpr double stroke = 5; // millimetres, as are the next ones
+  constexpr double arrow = 4;
+  constexpr double head = 1.5;
+  constexpr double to_letter = 2.5;
+  const PlanFrame& frame = layout.frame;
+  const SectionLine drawn{frame(section.from), frame(section.to)};
+  const auto ranges = rangesIn(loopAround(box), drawn);
+  if (ranges.empty())
+    return;
+  const Eigen::Vector2d way = (drawn.to - drawn.from).normalized();
+  const Eigen::Vector2d look = leftOf(way);
+  const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    around_.keepOff(from, to);
+    mark_lines_.push_back(
+        {segment(frame.toPlan(from), frame.toPlan(to)), PlanLayer::Section});
+  };
+  for (const auto& [along, out] :
+       {std::pair<double, Eigen::Vector2d>(ranges.front().first, -way),
+        {ranges.back().second, way}}) {
+    const Eigen::Vector2d edge = drawn.from + along * way;
+    const Eigen::Vector2d end = edge + (stroke + 1) * out;
+    const Eigen::Vector2d tip = end + arrow * look;
+    std::vector<TextBox> boxes;
+    for (const auto& [along_look, outwards] : {std::pair(arrow + to_letter, 0.0),
+                                               {0.0, to_letter},
+                                               {-to_letter, 0.0},
+                                               {arrow + 2 * to_letter, 0.0}})
+      boxes.push_back({end + along_look * look + outwards * out,
+                       large_font * halfSizeOf({section.letter}), 0});
+    if (const auto box = around_.takeFirst(boxes))
+      mark_letters_.push_back(
+          {PlanLayer::Section, {ink, box->middle, large_font, section.letter}});
+    add(end - stroke * out, end);
+    add(end, tip);
+    for (const double side : {-1.0, 1.0})
+      add(tip, tip - head * (look + side / 2 * way));
+  }
 }
 
 void
@@ -229,6 +277,8 @@ PlanDrawing::draw(double finest)
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
   texts = placedTexts(plan, surfaces_, lines, openings, frame, text_settings_, places);
+  lines.insert(lines.end(), mark_lines_.begin(), mark_lines_.end());
+  texts.texts.insert(texts.texts.end(), mark_letters_.begin(), mark_letters_.end());
   title = titleTextsOf(*this);
 }
 

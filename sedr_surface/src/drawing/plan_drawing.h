@@ -49,9 +49,13 @@ struct PlanDrawing : Drawing {
   void draw(double finest);
 
 private:
+  void addMark(const SectionLine& section, const Eigen::AlignedBox2d& box);
+
   double finest_ = -1;
   PlanTextSettings text_settings_;
-  TextPlaces around_; ///< occupied by what is beside the plan
+  TextPlaces around_;                ///< occupied by what is beside the plan
+  std::vector<PlanLine> mark_lines_; ///< of sections
+  std::vector<PlanText> mark_letters_;
   std::vector<DrawnSurfaces> surfaces_;
 };
 

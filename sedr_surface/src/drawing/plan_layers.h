@@ -30,7 +30,8 @@ enum class PlanLayer {
   Room,     ///< numbers, areas and heights of rooms
   Height,   ///< heights of ceilings
   Dimension,
-  Number, ///< numbers of walls
+  Number,  ///< numbers of walls
+  Section, ///< marks of sections
   Note
 };
 
@@ -59,7 +60,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 20> layer_styles{
+inline const std::array<LayerStyle, 21> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
@@ -83,6 +84,7 @@ inline const std::array<LayerStyle, 20> layer_styles{
      {"A-CLNG-IDEN", 5, false, {}, looks::blue},
      {"A-ANNO-DIMS", 8, false, {}, 0x444444},
      {"A-WALL-IDEN", 9, false, {}, 0x8a8a8a},
+     {"A-ANNO-SECT", 1, false, {no_colour, ink, 0.5}, ink},
      {"A-ANNO-TEXT", 7, false, {}, looks::blue}}};
 
 /** @param view edges of ceilings are dashed only where they are seen from above */

@@ -3,6 +3,7 @@
 
 #include "../walls/wall_band.h"
 #include "dimension_rows.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -213,8 +214,7 @@ boundsOf(const Floorplan& plan,
   }
   for (const PlanOpening& opening : plan.openings) {
     const Eigen::Vector2d way = (opening.end - opening.start).normalized();
-    const Eigen::Vector2d reveal =
-        opening.depth / 2 * Eigen::Vector2d(-way.y(), way.x());
+    const Eigen::Vector2d reveal = opening.depth / 2 * leftOf(way);
     for (const Eigen::Vector2d& end : {opening.start, opening.end}) {
       box.extend(frame(Eigen::Vector2d(end + reveal)));
       box.extend(frame(Eigen::Vector2d(end - reveal)));
@@ -229,6 +229,9 @@ layoutOf(const Floorplan& plan, const DrawingSettings& settings)
   PlanFrame frame;
   frame.turn = -mainDirection(plan);
   Eigen::AlignedBox2d space = spaceOf({});
+  if (!settings.sections.empty())
+    space = {Eigen::Vector2d::Constant(mark_space),
+             Eigen::Vector2d::Constant(mark_space)};
   for (const PlanStorey& storey : storeysOf(plan)) {
     const Eigen::AlignedBox2d of_rows =
         spaceOf(rowsAround(partOf(plan, storey), frame.turn, settings.max_wall));

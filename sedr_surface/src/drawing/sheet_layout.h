@@ -42,6 +42,7 @@ namespace sheet_measures {
 constexpr double margin_left = 20;
 constexpr double margin = 10;       ///< on the other sides
 constexpr double title_height = 27; ///< of the title strip, within the frame
+constexpr double mark_space = 8;    ///< beside a plan, of marks of sections
 } // namespace sheet_measures
 
 /** @brief Position of a plan on its sheet. */

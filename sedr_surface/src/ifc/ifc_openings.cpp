@@ -79,15 +79,6 @@ isBetween(const Floorplan& plan, const PlanWall& wall, const PlanOpening& openin
          (!wall.other || opening.leadsOutside() || isOf(plan, *wall.other, opening));
 }
 
-PlanLoop
-loopAround(const Eigen::AlignedBox2d& box)
-{
-  return loopOf({box.min(),
-                 {box.max().x(), box.min().y()},
-                 box.max(),
-                 {box.min().x(), box.max().y()}});
-}
-
 /** @brief Adds an opening to the walls that it passes through.
  * @return the gap in each */
 std::vector<WrittenGap>

@@ -41,7 +41,7 @@ cutOf(const TriangleMesh& mesh, const SectionLine& line)
 {
   using Edge = std::pair<std::uint32_t, std::uint32_t>; // of the mesh
   const Eigen::Vector2d way = (line.to - line.from).normalized();
-  const Eigen::Vector2d across(-way.y(), way.x());
+  const Eigen::Vector2d across = leftOf(way);
   std::vector<double> side;
   for (const Eigen::Vector3d& p : mesh.vertices)
     side.push_back(across.dot(p.head<2>() - line.from));
@@ -94,7 +94,7 @@ rangesIn(const PlanLoop& loop, const SectionLine& line)
 {
   constexpr double chord = 0.001; // metres
   const Eigen::Vector2d way = (line.to - line.from).normalized();
-  const Eigen::Vector2d across(-way.y(), way.x());
+  const Eigen::Vector2d across = leftOf(way);
   const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
   std::vector<double> crossings;
   for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -36,7 +36,7 @@ public:
   Eigen::Vector2d across(const Eigen::Vector2d& p) const
   {
     const Eigen::Vector2d way = (to_ - from_).normalized();
-    const Eigen::Vector2d left(-way.y(), way.x());
+    const Eigen::Vector2d left = leftOf(way);
     if (!centre_)
       return left;
     const Eigen::Vector2d out = (p - *centre_).normalized();

@@ -126,6 +126,37 @@ TEST(FloorplanDrawing, TheTitleBlockIsFilled)
     EXPECT_TRUE(holds(svg, text)) << text;
 }
 
+TEST(FloorplanDrawing, SectionsAreMarkedAtBothEnds)
+{
+  const Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  DrawingSettings settings = scaled(50);
+  settings.sections = {{{0, 2}, {1, 2}, "A"}}; // seen towards y
+  const PlanDrawing drawing(plan, settings, 0);
+  const Eigen::AlignedBox2d space = drawingSpaceOf(drawing.layout);
+  Eigen::AlignedBox2d marks;
+  for (const PlanLine& line : drawing.lines)
+    if (line.layer == PlanLayer::Section)
+      for (const Eigen::Vector2d& end : {line.element.start, line.element.end}) {
+        EXPECT_TRUE(end.x() < 0 || end.x() > 6) << "beside the plan";
+        EXPECT_TRUE(space.contains(drawing.layout.frame(end)));
+        marks.extend(end);
+      }
+  EXPECT_NEAR(marks.min().y(), 2, 1e-9) << "on the line";
+  EXPECT_NEAR(marks.max().y(), 2 + 0.05 * 4, 1e-9) << "4 mm of paper the way one looks";
+  EXPECT_NEAR(marks.sizes().x(), 6 + 2 * (0.2 + 0.05 * (6 + 0.75)), 1e-6)
+      << "6 mm off walls, and half the head of an arrow";
+  const auto letters = [&] {
+    const std::string svg = svgOf(plan, settings);
+    return std::make_pair(svg.find(">A<") != std::string::npos,
+                          svg.find(">A<") != svg.rfind(">A<"));
+  };
+  EXPECT_EQ(letters(), std::make_pair(true, true)) << "one at each end";
+  settings.view = DrawingView::Ceiling;
+  EXPECT_FALSE(letters().first);
+  EXPECT_TRUE(holds(drawSection(plan, settings.sections[0], {DrawingFormat::Svg})[0],
+                    ">Section A-A<"));
+}
+
 TEST(FloorplanDrawing, TheSheetHoldsTheRevealsOfOpenings)
 {
   Floorplan plan = planOf(rectangle(0, 0, 4, 3));

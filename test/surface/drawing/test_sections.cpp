@@ -63,6 +63,14 @@ TEST(Sections, ShowRoomsHeightsAndLevels)
   EXPECT_FALSE(sectionThroughStairs(plan));
 }
 
+TEST(Sections, RunThroughRoundRooms)
+{
+  const Floorplan plan{{roomOf(circle({1, 2}, 2), 2.5)}};
+  const auto dxf = drawSection(plan, sectionThroughRooms(plan), {DrawingFormat::Dxf});
+  ASSERT_EQ(dxf.size(), 1u);
+  EXPECT_NEAR(outlinedArea(dxf[0]), 4 * 2.5, 0.01) << "the diameter";
+}
+
 TEST(Sections, AnOpeningIsAGapInItsWall)
 {
   Floorplan plan = twoStoreys();

@@ -96,6 +96,9 @@ TEST_F(EditedModel, SheetsAndIfcKeepTheTextsOfTheRun)
   const std::string sheet = bytesOf(in("model/floorplan.svg"));
   for (const char* text : {"Mill Lane 14", "Smith", "P-17", "2024-05-31", "EK"})
     EXPECT_NE(sheet.find(">" + std::string(text) + "<"), std::string::npos) << text;
+  EXPECT_NE(sheet.find(">A<"), std::string::npos) << "where section A-A runs";
+  EXPECT_NE(bytesOf(in("model/section_rooms.svg")).find(">Section A-A<"),
+            std::string::npos);
   EXPECT_NE(
       bytesOf(in("model/model.ifc")).find("('P-17.ifc','2024-05-31T00:00:00',('EK')"),
       std::string::npos);

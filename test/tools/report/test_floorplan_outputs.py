@@ -330,7 +330,7 @@ class Outputs(unittest.TestCase):
         # Edges of soffit, platform and niche that lie on walls are not drawn twice.
         self.assertEqual(dict(kinds), {("LWPOLYLINE", "A-AREA"): 2, ("LINE", "A-WALL"): 7, ("ARC", "A-WALL"): 1,
                                  ("LINE", "A-WALL-GUES"): 6, ("ARC", "A-WALL-GUES"): 1, ("CIRCLE", "A-COLS"): 1, ("LINE", "A-COLS"): 4, ("LINE", "A-CLNG"): 1,
-                                 ("LINE", "A-FLOR-LEVL"): 1, ("LINE", "A-WALL-NICH"): 3,
+                                 ("LINE", "A-FLOR-LEVL"): 1, ("LINE", "A-WALL-NICH"): 3, ("LINE", "A-ANNO-SECT"): 8,
                                  ("HATCH", "A-WALL-PATT"): 1})
         for layer in ("A-WALL", "A-WALL-NICH", "A-COLS", "A-DOOR", "A-CLNG", "A-CLNG-RIDG", "A-CLNG-HEAD",
                       "A-CLNG-IDEN", "A-FLOR-LEVL", "A-AREA", "A-AREA-IDEN", "A-ANNO-DIMS", "A-ANNO-TEXT"):

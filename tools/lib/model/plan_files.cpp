@@ -56,6 +56,7 @@ writeDrawings(const OutputFolder& folder, const PlanFiles& files)
   settings.max_wall = document.max_wall;
   settings.origin = document.origin;
   std::vector<DrawingSheet> sheets = allDrawings(document.plan);
+  settings.sections = sectionsOf(sheets);
   for (DrawingSheet& sheet : sheets)
     for (std::string& path : sheet.paths)
       path = folder.file(path);

@@ -129,6 +129,16 @@ allDrawings(const Floorplan& plan)
   return all;
 }
 
+std::vector<SectionLine>
+sectionsOf(const std::vector<DrawingSheet>& sheets)
+{
+  std::vector<SectionLine> sections;
+  for (const DrawingSheet& sheet : sheets)
+    if (sheet.section)
+      sections.push_back(*sheet.section);
+  return sections;
+}
+
 bool
 saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings settings)
 {

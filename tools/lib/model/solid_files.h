@@ -62,6 +62,9 @@ std::vector<DrawingSheet> drawingSheets(const std::vector<std::string>& paths,
  * seen. */
 std::vector<DrawingSheet> allDrawings(const Floorplan& plan);
 
+/** @brief Returns the sections among some sheets. */
+std::vector<SectionLine> sectionsOf(const std::vector<DrawingSheet>& sheets);
+
 /** @brief Writes a drawing in all of its formats. The settings hold but for storey and
  * view. Returns false, and writes nothing, if its section cuts no room. */
 bool saveDrawing(const DrawingSheet& sheet,

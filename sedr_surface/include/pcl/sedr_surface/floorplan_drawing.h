@@ -21,6 +21,13 @@ enum class PaperSize { A4, A3, A2, A1, A0 };
  * in a mirror on the floor. */
 enum class DrawingView { Floor, Ceiling };
 
+/** @brief A line in plan that goes on beyond its ends; they must not coincide. */
+struct SectionLine {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::UnitX();
+  std::string letter{}; ///< "A" for section A-A; may be empty
+};
+
 /** @brief What the title block of a sheet tells; fields without text are left empty. */
 struct SheetTexts {
   std::string title{}; ///< "": what is drawn, such as "Floor plan"
@@ -45,6 +52,7 @@ struct DrawingSettings {
   DrawingView view = DrawingView::Floor;
   bool wall_numbers = false; ///< write those of walls, as warnings name them
   SheetTexts texts{};
+  std::vector<SectionLine> sections{}; ///< that plans of the floor mark, with letters
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 
@@ -62,7 +70,7 @@ enum class DrawingFormat { Svg, Pdf, Dxf };
  * each other nor walls; those without space are left out. Chains of dimensions, by
  * outer opening, by wall and overall, surround the plan. A strip holds title, storey,
  * scale, scale bar and north arrow. A plan with oblique walls is rotated to the sheet's
- * axes.
+ * axes. Sections are marked at both ends by arrows and their letter.
  *
  * Of the ceiling a sheet shows steps, ridges, hips and valleys, contour lines of vaults
  * and domes, arrows up slopes with their angle, the height of each part and the area of
@@ -87,27 +95,22 @@ std::vector<std::string> drawFloorplan(const Floorplan& plan,
  * height from the upper left corner. */
 Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& settings);
 
-/** @brief A line in plan that goes on beyond its ends; they must not coincide. */
-struct SectionLine {
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::UnitX();
-};
-
-/** @brief Returns the line along a wall through the middle of a room that cuts most
- * rooms, the longest of these. O(rooms times walls squared). */
+/** @brief Returns section A, the line along a wall through the middle of a room that
+ * cuts most rooms, the longest of these; along x in a room without straight walls.
+ * O(rooms times walls squared). */
 SectionLine sectionThroughRooms(const Floorplan& plan);
 
-/** @brief Returns the line through the middle of the first flight of the first stair
- * whose flights were seen, up it along the wall that is most parallel to it: winding
- * flights are cut square to the building. */
+/** @brief Returns section B, the line through the middle of the first flight of the
+ * first stair whose flights were seen, up it along the wall that is most parallel to
+ * it: winding flights are cut square to the building. */
 std::optional<SectionLine> sectionThroughStairs(const Floorplan& plan);
 
 /** @brief Draws a vertical section through a building, seen towards the left of a line:
  * the cut of the solids of all rooms, exact but for chords of arcs, walls and slabs
  * between them, openings and stairs that it runs through, levels and heights; thin,
  * what is seen behind the cut. Slabs of which one side was seen are drawn 0.2 m thick.
- * The line goes on beyond both ends; empty if it cuts no room.
- */
+ * The line goes on beyond both ends.
+ * @return the files; none if the line cuts no room, or has no length */
 std::vector<std::string> drawSection(const Floorplan& plan,
                                      const SectionLine& line,
                                      const std::vector<DrawingFormat>& formats,
