@@ -113,7 +113,7 @@ main(int argc, char** argv)
     };
     std::optional<ScanVoxels> voxels; // of the thinned scan, for colours and classes
     const auto seen = [&] {
-      const bool is_painted = colours == "scan" && hasColours(*scan);
+      const bool is_painted = colours == "scan" && scan->hasColours();
       if (is_painted || !classified.empty())
         voxels.emplace(chain.getModel(), chain.getVoxelSize());
       return is_painted ? coloursOf(*scan, *voxels, chain) : SurfaceColours();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_gaps.h"
 
+#include "sedr_filters/src/plan/plan_arcs.h"
 #include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -115,19 +116,6 @@ linesOf(const OpeningGap& gap)
   return lines;
 }
 
-namespace {
-
-/** @brief Returns the distance of a place from the line or circle of an element. */
-double
-offLine(const PlanElement& e, const Eigen::Vector2d& p)
-{
-  return e.isArc()
-             ? std::abs((p - e.centre).norm() - e.radius)
-             : Eigen::Hyperplane<double, 2>::Through(e.start, e.end).absDistance(p);
-}
-
-} // namespace
-
 std::vector<PlanElement>
 cutAtGaps(const PlanElement& element, const std::vector<OpeningGap>& gaps)
 {
@@ -135,11 +123,14 @@ cutAtGaps(const PlanElement& element, const std::vector<OpeningGap>& gaps)
   constexpr double shortest = 1e-4;
   if (element.length() < shortest)
     return {element};
+  const auto isOn = [&](const Eigen::Vector2d& p) {
+    Eigen::Vector2d unused;
+    return std::abs(offLine(element, p, unused)) < on_face;
+  };
   std::vector<std::pair<double, double>> cuts;
   for (const OpeningGap& gap : gaps)
     for (const auto& [a, b] : {std::pair(0, 1), std::pair(3, 2)})
-      if (offLine(element, gap.corners[a]) < on_face &&
-          offLine(element, gap.corners[b]) < on_face)
+      if (isOn(gap.corners[a]) && isOn(gap.corners[b]))
         cuts.push_back(std::minmax(
             {element.project(gap.corners[a]), element.project(gap.corners[b])}));
   std::sort(cuts.begin(), cuts.end());

@@ -271,9 +271,7 @@ PlanDrawing::draw(double finest)
   lines = planLines(plan, walls, surfaces_, view);
   TextPlaces places = around_;
   for (const PlanLine& line : lines) {
-    const bool is_solid =
-        line.layer == PlanLayer::Wall || line.layer == PlanLayer::Outside ||
-        line.layer == PlanLayer::Guess || line.layer == PlanLayer::Column;
+    const bool is_solid = isWall(line.layer) || line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
   texts = placedTexts(plan, surfaces_, lines, openings, frame, text_settings_, places);

@@ -99,6 +99,13 @@ styleOf(PlanLayer layer, DrawingView view = DrawingView::Floor)
   return style;
 }
 
+/** @brief Returns whether a layer has faces of walls. */
+inline bool
+isWall(PlanLayer layer)
+{
+  return layer <= PlanLayer::Guess;
+}
+
 /** @brief Font sizes, millimetres; the letters of the larger ones are 1.8 and 2.5 mm
  * high, as usual in ISO 3098. */
 constexpr double smallest_font = 1.8;

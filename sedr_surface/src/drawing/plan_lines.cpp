@@ -220,23 +220,23 @@ planLines(const Floorplan& plan,
                     isIsland(room, column) ? PlanLayer::Wall : PlanLayer::Column);
     for (const PlanNiche& niche : room.niches)
       lines.addOffWalls(niche.boundary, PlanLayer::Niche);
-    for (const CeilingLine& line : surfaces[r].ceiling.lines) {
+    for (const SurfaceLine& line : surfaces[r].ceiling.lines) {
       const PlanLayer layer = line.is_crease ? PlanLayer::Ridge : PlanLayer::Ceiling;
       is_floor ? lines.addOverhead(line.element, layer, line.text)
                : lines.add(line.element, layer, line.text);
     }
     lines.addHeads();
     if (!is_floor) {
-      for (const CeilingLine& line : contourLines(surfaces[r].faces))
+      for (const SurfaceLine& line : contourLines(surfaces[r].faces))
         lines.add(line.element, PlanLayer::Contour, line.text);
       lines.addSlopes(SurfaceSide::Ceiling, surfaces[r].ceiling);
       continue;
     }
-    for (const CeilingLine& line : surfaces[r].floor.lines)
+    for (const SurfaceLine& line : surfaces[r].floor.lines)
       lines.add(line.element, PlanLayer::Floor);
     lines.addSlopes(SurfaceSide::Floor, surfaces[r].floor);
     for (const double height : headrooms)
-      for (const CeilingLine& line : heightLines(surfaces[r].faces, height))
+      for (const SurfaceLine& line : heightLines(surfaces[r].faces, height))
         lines.addOverhead(line.element, PlanLayer::Headroom, line.text);
   }
   if (is_floor)

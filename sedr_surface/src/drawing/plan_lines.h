@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../overhead/ceiling_faces.h"
 #include "../overhead/surface_lines.h"
 #include "plan_layers.h"
 #include "sedr_filters/src/walls/plan_walls.h"

@@ -196,8 +196,8 @@ private:
   DxfBlock paper_{handles_, paper_space};
   std::string model_layout_ = handles_.next();
   std::string paper_layout_ = handles_.next();
-  std::string paper_name_ = "A3";
-  Eigen::Vector2d paper_size_{420, 297};
+  std::string paper_name_;
+  Eigen::Vector2d paper_size_ = Eigen::Vector2d::Zero();
   std::deque<DxfBlock> blocks_;
 };
 

@@ -87,12 +87,6 @@ public:
   }
 
 private:
-  static bool isWall(PlanLayer layer)
-  {
-    return layer == PlanLayer::Wall || layer == PlanLayer::Outside ||
-           layer == PlanLayer::Guess;
-  }
-
   double heightOf(double font) const { return letters * font / frame_.scale; }
 
   double degreesInPlan(const SheetText& text) const

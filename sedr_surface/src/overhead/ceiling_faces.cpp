@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ceiling_faces.h"
-#include "surface_lines.h"
 
 #include "sedr_filters/src/base/number_text.h"
 
@@ -54,7 +53,7 @@ addZeros(const TriangleMesh& mesh,
 void
 addLines(const Segments& segments,
          const std::string& text,
-         std::vector<CeilingLine>& lines)
+         std::vector<SurfaceLine>& lines)
 {
   constexpr double tolerance = 0.005;
   constexpr double shortest = 0.5; // metres
@@ -122,7 +121,7 @@ CeilingFaces::area() const
   return all;
 }
 
-std::vector<CeilingLine>
+std::vector<SurfaceLine>
 heightLines(const CeilingFaces& ceiling, double height)
 {
   const PlanRoom& room = ceiling.room;
@@ -151,12 +150,12 @@ heightLines(const CeilingFaces& ceiling, double height)
           });
     }
   }
-  std::vector<CeilingLine> lines;
+  std::vector<SurfaceLine> lines;
   addLines(segments, "h " + decimalText(height, 2), lines);
   return lines;
 }
 
-std::vector<CeilingLine>
+std::vector<SurfaceLine>
 contourLines(const CeilingFaces& ceiling)
 {
   const PlanSlab& floor = ceiling.room.floor;
@@ -172,7 +171,7 @@ contourLines(const CeilingFaces& ceiling)
   for (const std::size_t t : curved)
     for (const int k : {0, 1, 2})
       range.extend(Eigen::Matrix<double, 1, 1>(heightOf(ceiling.solid.corner(t, k))));
-  std::vector<CeilingLine> lines;
+  std::vector<SurfaceLine> lines;
   if (range.isEmpty())
     return lines;
   const double step = contourStep(range.sizes().x());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "line_parts.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/room_solid.h>
 
@@ -31,23 +33,16 @@ struct CeilingFaces {
   double area() const;
 };
 
-/** @brief A line of a ceiling in plan. */
-struct CeilingLine {
-  PlanElement element;
-  bool is_crease = false; ///< two surfaces meet in it; otherwise it is a step
-  std::string text{};     ///< "ridge 4.35" or "valley 2.90"; usually empty
-};
-
 /** @brief Returns the lines in plan along which the ceiling of a room is `height`
  * metres above its floor, as under a roof; those that extend over less than 0.5 m are
  * left out. One element of each has the height as text, "h 1.50". Empty if the ceiling
  * is level. */
-std::vector<CeilingLine> heightLines(const CeilingFaces& ceiling, double height);
+std::vector<SurfaceLine> heightLines(const CeilingFaces& ceiling, double height);
 
 /** @brief Returns the contour lines of vaults, domes and free forms, at most eight a
  * room, every 5, 10, 25 or 50 cm or every metre above the room's main floor; one
  * element of each has its height as text. */
-std::vector<CeilingLine> contourLines(const CeilingFaces& ceiling);
+std::vector<SurfaceLine> contourLines(const CeilingFaces& ceiling);
 
 /** @brief Returns the minimum and maximum height of the ceiling above the floor,
  * metres: at eaves and ridge. Faces below a fiftieth of the largest do not count. */

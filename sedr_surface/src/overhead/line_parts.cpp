@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface_lines.h"
+#include "line_parts.h"
 
 #include <cstddef>
 #include <cstdint>

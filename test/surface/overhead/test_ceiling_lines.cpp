@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include "sedr_surface/src/overhead/ceiling_faces.h"
 #include "sedr_surface/src/overhead/surface_lines.h"
 
 #include <pcl/sedr_surface/room_solid.h>
@@ -66,7 +67,7 @@ TEST(CeilingLines, BordersAreDrawnWholeOrNotAtAll)
         roomWith({{rectangle(4, 0, 8, 4), slabAt(2.5, 0, slope)}}), at_1_50);
     ASSERT_EQ(found.lines.size(), slope > 0.02 ? 1u : 0u);
     EXPECT_EQ(found.part[0] == found.part[1], found.lines.empty());
-    for (const CeilingLine& line : found.lines)
+    for (const SurfaceLine& line : found.lines)
       EXPECT_NEAR(line.element.length(), 4, 0.001);
   }
 }
@@ -76,7 +77,7 @@ TEST(CeilingLines, EndNowhereWithinAPart)
   // A step of 5 cm, x = 6, ends where a ramp leads from the main ceiling up beside it.
   const PlanRoom room = roomWith({{rectangle(0, 2, 6, 4), slabAt(2.5, 0.05 / 6)},
                                   {rectangle(6, 0, 8, 4), slabAt(2.55)}});
-  for (const CeilingLine& line : ceilingLines(room, at_1_50).lines)
+  for (const SurfaceLine& line : ceilingLines(room, at_1_50).lines)
     ADD_FAILURE() << line.element.start.transpose() << " to "
                   << line.element.end.transpose();
 }
@@ -176,7 +177,7 @@ TEST(CeilingLines, OfAHippedRoofAreARidgeAndFourHips)
   const auto lines = ceilingLines(hippedRoom(0.7), at_1_50).lines;
   ASSERT_EQ(lines.size(), 5u);
   std::size_t ridges = 0;
-  for (const CeilingLine& line : lines) {
+  for (const SurfaceLine& line : lines) {
     EXPECT_TRUE(line.is_crease);
     ridges += line.text == "ridge 2.40" ? 1 : 0;
     EXPECT_NEAR(line.element.length(), line.text.empty() ? std::sqrt(8) : 4, 0.08);
@@ -205,7 +206,7 @@ TEST(HeightLines, RunAroundARoof)
   // Slopes of 45 degrees: half a metre from the walls.
   const PlanRoom hipped = hippedRoom(1);
   double length = 0;
-  for (const CeilingLine& line : heightLines(CeilingFaces(hipped), 1.5))
+  for (const SurfaceLine& line : heightLines(CeilingFaces(hipped), 1.5))
     length += line.element.length();
   EXPECT_NEAR(length, 20, 1e-6);
   EXPECT_TRUE(heightLines(CeilingFaces(hipped), 3.5).empty());
@@ -242,7 +243,7 @@ TEST(HeightLines, FollowAVault)
   room.ceiling.curve = std::make_shared<SlabCurve>(vault);
   const auto lines = heightLines(CeilingFaces(room), 2);
   ASSERT_EQ(lines.size(), 2u);
-  for (const CeilingLine& line : lines)
+  for (const SurfaceLine& line : lines)
     EXPECT_NEAR(std::abs(line.element.pointAt(3).y() - 2), std::sqrt(3), 0.002);
 }
 
@@ -274,7 +275,7 @@ TEST(ContourLines, RunAroundADomeAtEqualHeights)
   room.ceiling.curve = std::make_shared<SlabCurve>(dome);
   const auto lines = contourLines(CeilingFaces(room));
   std::map<long, int> told;
-  for (const CeilingLine& line : lines) {
+  for (const SurfaceLine& line : lines) {
     const Eigen::Vector2d p = line.element.start - Eigen::Vector2d(3, 2);
     const long quarter = std::lround(4 * (2 + std::sqrt(4 - p.squaredNorm())));
     EXPECT_NEAR(std::hypot(p.norm(), 0.25 * quarter - 2), 2, 0.001);

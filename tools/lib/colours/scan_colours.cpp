@@ -15,13 +15,6 @@ namespace {
 constexpr std::size_t at_once = std::size_t{1} << 12; // rows
 constexpr double scatter = 0.025; // metres, of points about their surface
 
-const pcl::PCLPointField*
-colourField(const ScanFile& scan)
-{
-  const auto* const colour = pcl::sedr::findField(scan.fields(), "rgb");
-  return colour ? colour : pcl::sedr::findField(scan.fields(), "rgba");
-}
-
 /** @brief Returns the median of colours, per channel. */
 SeenColour
 medianOf(std::vector<SeenColour>& colours)
@@ -64,13 +57,6 @@ private:
 
 } // namespace
 
-bool
-hasColours(const JointScan& scan)
-{
-  return std::any_of(scan.files().begin(), scan.files().end(),
-                     [](const auto& file) { return colourField(*file); });
-}
-
 std::vector<SeenColour>
 medianColours(const JointScan& scan,
               const std::function<std::size_t(const Eigen::Vector3f&)>& group_of,
@@ -80,7 +66,7 @@ medianColours(const JointScan& scan,
   std::vector<ColourSample> samples(groups);
   std::vector<std::size_t> group;
   for (const auto& file : scan.files()) {
-    const auto* const colour = colourField(*file);
+    const auto* const colour = file->colour();
     if (!colour)
       continue;
     RowCoordinates coordinates(file->fields(), file->rowSize());

@@ -17,9 +17,6 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief Returns whether any file of a scan has colours. */
-bool hasColours(const JointScan& scan);
-
 /** @brief Reads a scan and returns the median colours of groups of its points, per
  * channel; those of groups without colours are not seen. At most 15 points of a group
  * are kept, spread over all of them.

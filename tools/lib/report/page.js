@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fills the sections of page.html from the page's JSON. A section is a function below; it returns whether there is
-// anything to show. `readGlb` and `showModel` are in model.js.
+// anything to show. `readGlb` and `showModel` are in model.js,
+// texts and tables in texts.js.
 (function () {
   'use strict';
   const data = JSON.parse(document.getElementById('data').textContent);
@@ -9,45 +10,6 @@
   const storeys = plan.storeys || [];
   const distances = (report.evaluation || {}).cloud_to_mesh;
   const byId = id => document.getElementById(id);
-
-  // ---- Texts ----
-
-  const isNumber = value => typeof value === 'number' && isFinite(value);
-  const sum = (list, valueOf) => list.reduce((total, item) => total + (valueOf(item) || 0), 0);
-
-  // 1234567.5 becomes "1 234 567.5" with narrow spaces, -0.001 becomes "0.00".
-  function number(value, digits = 0) {
-    if (!isNumber(value)) return '–';
-    const [whole, part] = value.toFixed(digits).replace(/^-(?=[0.]+$)/, '').split('.');
-    return whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') + (part ? '.' + part : '');
-  }
-  const percent = share => !isNumber(share) ? '–'
-    : (100 * share).toFixed(share > 0 && share < 0.0995 ? 1 : 0) + '\u00a0%';
-  const centimetres = metres => number(100 * metres, metres < 0.1 ? 2 : 1) + '\u00a0cm';
-  const closed = mesh => !mesh ? '–' : mesh.closed_manifold ? 'closed' : 'open';
-  // A distance as short as it is: 4 cm, 0.3 cm, 1.2 m.
-  const distance = metres => metres >= 1 ? metres.toFixed(1) + ' m' : +(100 * metres).toPrecision(3) + ' cm';
-
-  function make(tag, attributes, ...children) {
-    const element = document.createElement(tag);
-    Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
-    element.append(...children);
-    return element;
-  }
-
-  // A table of rows; each column is [heading, text of a row, 'text' for words]. On a phone, each cell has its heading.
-  function table(columns, rows) {
-    const cells = (tag, textOf) => columns.map(column =>
-      make(tag, { 'data-heading': column[0], ...column[2] && { class: column[2] } }, textOf(column)));
-    const row = item => make('tr', {}, ...cells('td', column => column[1](item)));
-    return make('div', { class: 'wide' }, make('table', {},
-      make('thead', {}, make('tr', {}, ...cells('th', column => column[0]))), make('tbody', {}, ...rows.map(row))));
-  }
-
-  function fillKey(element, entries) {
-    element.append(...entries.map(([colour, text]) => make('span', { class: 'entry' },
-      make('span', { class: 'swatch', style: 'background:' + colour }), text)));
-  }
 
   // ---- Head ----
 
@@ -379,18 +341,14 @@
     return Boolean(has || hasPicture);
   }
 
+  const drawn = [['floorplan#', 'floor plan'], ['ceiling#', 'reflected ceiling plan'], ['section_.*', 'section']];
   const knownFiles = [
     ['model.ifc', 'building model, IFC4: rooms, walls, slabs, openings',
       'Revit, Archicad, Allplan, FreeCAD, Blender with Bonsai, IFC viewers'],
-    ['floorplan#.dxf', 'drawing in metres, with dimensions', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
-    ['floorplan#.pdf', 'drawing to scale, to print', 'any PDF viewer'],
-    ['floorplan#.svg', 'the same drawing, to edit', 'any browser, Inkscape, Illustrator'],
-    ['ceiling#.dxf', 'reflected ceiling plan in metres', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
-    ['ceiling#.pdf', 'reflected ceiling plan to scale', 'any PDF viewer'],
-    ['ceiling#.svg', 'the same, to edit', 'any browser, Inkscape, Illustrator'],
-    ['section_.*.dxf', 'section in metres', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
-    ['section_.*.pdf', 'section to scale', 'any PDF viewer'],
-    ['section_.*.svg', 'the same section, to edit', 'any browser, Inkscape, Illustrator'],
+    ...drawn.flatMap(([name, what]) => [
+      [name + '.dxf', what + ', in metres', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
+      [name + '.pdf', what + ', to scale', 'any PDF viewer'],
+      [name + '.svg', what + ', to edit', 'any browser, Inkscape, Illustrator']]),
     ['model.glb', 'sharp model for the web, glTF 2.0', 'Blender, three.js, Windows 3D Viewer, most viewers online'],
     ['solid.obj', 'sharp model, grouped by storey, room and element', 'Blender, SketchUp, Rhino, MeshLab'],
     ['solid.ply', 'sharp model, coloured by label', 'MeshLab, CloudCompare, Blender'],

@@ -8,5 +8,6 @@ extern const char* const page_html;
 extern const char* const page_css;
 extern const char* const page_js;
 extern const char* const model_js;
+extern const char* const texts_js;
 
 } // namespace pcl::sedr::tools

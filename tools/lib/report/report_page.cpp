@@ -194,6 +194,7 @@ makePage(const std::string& path, const PageSettings& settings)
       {"@page.css@", page_css},
       {"@data@", data},
       {"@three.js@", threeScripts(settings.three)},
+      {"@texts.js@", texts_js},
       {"@model.js@", model_js},
       {"@page.js@", page_js}};
   std::string page = page_html;

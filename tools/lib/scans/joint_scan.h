@@ -3,6 +3,7 @@
 
 #include "scan_file.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,6 +38,13 @@ public:
 
   /** @brief Returns the files, whose rows follow each other. */
   const std::vector<std::unique_ptr<ScanFile>>& files() const { return files_; }
+
+  /** @brief Returns whether any file has colours. */
+  bool hasColours() const
+  {
+    return std::any_of(files_.begin(), files_.end(),
+                       [](const auto& file) { return file->colour(); });
+  }
 
   /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return files_.front()->origin(); }

@@ -82,6 +82,14 @@ public:
   /** @brief Returns the layout of stored points. */
   const StoredRow& storedRow() const { return content_.points->row(); }
 
+  /** @brief Returns the field of the colour in rows, blue first; null if there is none.
+   */
+  const pcl::PCLPointField* colour() const
+  {
+    const auto* const rgb = pcl::sedr::findField(fields(), "rgb");
+    return rgb ? rgb : pcl::sedr::findField(fields(), "rgba");
+  }
+
   /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return origin_; }
 

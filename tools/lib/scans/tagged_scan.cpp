@@ -259,14 +259,6 @@ private:
   std::string bytes_;
 };
 
-/** @brief Returns the field of a colour, null if there is none. */
-const pcl::PCLPointField*
-colourOf(const RowSource& scan)
-{
-  const auto* const colour = pcl::sedr::findField(scan.fields(), "rgb");
-  return colour ? colour : pcl::sedr::findField(scan.fields(), "rgba");
-}
-
 /** @brief Appends the points of a file. */
 void
 addPoints(const ScanFile& scan,
@@ -276,7 +268,7 @@ addPoints(const ScanFile& scan,
           LasStream& las)
 {
   const StoredRow& row = scan.storedRow();
-  const auto* const colour = colourOf(scan);
+  const auto* const colour = scan.colour();
   const StoredField* const intensity = row.find("intensity");
   const bool has_intensity = intensity && (intensity->datatype == StoredField::UINT16 ||
                                            intensity->datatype == StoredField::UINT8);
@@ -319,10 +311,7 @@ saveTagged(const std::string& path,
   if (hasExtension(path, ".pcd"))
     return saveScan(path, TaggedRows(scan, tag_of, threads), *scan.files().front());
   writeWhole(path, [&](std::ostream& stream) {
-    bool has_colours = false;
-    for (const auto& file : scan.files())
-      has_colours = has_colours || colourOf(*file);
-    LasStream las(stream, *scan.files().front(), has_colours);
+    LasStream las(stream, *scan.files().front(), scan.hasColours());
     for (const auto& file : scan.files())
       addPoints(*file, tag_of, threads, stream, las);
     if (const std::size_t left_out = las.finish(); left_out > 0)

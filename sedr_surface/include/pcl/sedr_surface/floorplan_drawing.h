@@ -47,9 +47,9 @@ struct DrawingSettings {
    * those of the whole plan, so that the sheets of a building can be overlaid. Null:
    * all rooms. */
   const PlanStorey* storey = nullptr;
-  Origin origin{};                 ///< origin of the coordinates
-  PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
-  DrawingView view = DrawingView::Floor;
+  Origin origin{};                       ///< origin of the coordinates
+  PaperSize paper = PaperSize::A3;       ///< larger if the given scale needs it
+  DrawingView view = DrawingView::Floor; ///< of plans; sections have none
   bool wall_numbers = false; ///< write those of walls, as warnings name them
   SheetTexts texts{};
   std::vector<SectionLine> sections{}; ///< that plans of the floor mark, with letters
