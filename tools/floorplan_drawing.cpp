@@ -2,6 +2,7 @@
 #include "bytes/whole_file.h"
 #include "model/solid_files.h"
 #include "plan_file.h"
+#include "results/unseen_walls.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -105,6 +106,7 @@ main(int argc, char** argv)
     if (room > 0) {
       if (!findRoom(drawn, room))
         throw ToolError("there is no room " + std::to_string(room) + " in the plan");
+      settings.is_unseen = unseenPlaces(plan, drawn);
       writeWhole(output, drawElevations(drawn, room, {formatOf(output)}, settings)[0]);
       return Done;
     }

@@ -194,6 +194,31 @@ TEST_F(StoreyDrawings, SectionsAndElevationsAreDrawnInstead)
     EXPECT_EQ(draw(wrong).exit_code, 1) << wrong[1];
 }
 
+TEST_F(StoreyDrawings, ElevationsHatchWhatTheReportBesideThePlanDidNotSee)
+{
+  const auto drawn = [&] {
+    EXPECT_EQ(run(FLOORPLAN_DRAWING,
+                  {in("floorplan.json"), in("out.dxf"), "--elevations", "1"})
+                  .exit_code,
+              0);
+    std::string dxf = bytesOf(in("out.dxf"));
+    return dxf.find("\n8\nA-WALL-UNSN\n") != std::string::npos;
+  };
+  std::filesystem::rename(in("plan.json"), in("floorplan.json"));
+  EXPECT_FALSE(drawn());
+  const auto reportWith = [&](const char* cells) {
+    writeFile(in("report.json"),
+              std::string("{\"format\": \"sedr-report\", \"walls\": [{\"room\": 1, "
+                          "\"walls\": [1], \"base\": 0, \"cell\": 1, \"columns\": 4, "
+                          "\"rows\": 2, \"cells\": \"") +
+                  cells + "\"}]}");
+  };
+  reportWith("8s");
+  EXPECT_FALSE(drawn());
+  reportWith("5s1h2s");
+  EXPECT_TRUE(drawn());
+}
+
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
 {
   const ProgramRun result = draw({"--storey", "3"});

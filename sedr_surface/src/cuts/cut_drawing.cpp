@@ -79,7 +79,8 @@ complete(CutDrawing& drawing, const DrawingSettings& settings)
   drawing.dimensions =
       placedRows(rows, {frame(all.min()), frame(all.max())}, frame, places);
   for (const PlanLine& line : drawing.lines)
-    places.keepOff(frame(line.element));
+    line.layer == PlanLayer::Unseen ? places.avoid(frame(line.element))
+                                    : places.keepOff(frame(line.element));
   drawing.texts = placedLabels(drawing.labels, drawing.lines, frame, places);
 }
 

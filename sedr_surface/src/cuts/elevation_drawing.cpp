@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../drawing/label_texts.h"
+#include "../overhead/line_parts.h"
 #include "cut_drawing.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/room_solid.h>
@@ -17,9 +20,12 @@ namespace {
 /** @brief The unrolled walls of a room, one beside the other. */
 class Elevations {
 public:
-  Elevations(const Floorplan& plan, const PlanRoom& room)
+  Elevations(const Floorplan& plan,
+             const PlanRoom& room,
+             const DrawingSettings& settings)
       : plan_(plan)
       , room_(room)
+      , settings_(settings)
   {
     extrudeRoom(room, {}, solid_, elements_);
     double left = 0;
@@ -52,11 +58,38 @@ private:
       if (is_niche)
         continue;
       drawing.outlines.push_back(reversed(loop));
+      if (settings_.is_unseen)
+        addHatch(e, left, openings);
       drawing.labels.push_back(
           {PlanLayer::Number,
            drawing.outlines.back(),
            {std::to_string(room_.id) + "." + std::to_string(e + 1)},
            openings});
+    }
+  }
+
+  /** @brief Hatches what nobody saw within the last outline, but for openings. */
+  void addHatch(std::size_t e, double left, const std::vector<PlanLoop>& openings)
+  {
+    constexpr double step = 0.15; // metres, along the wall
+    const PlanLoop outline = drawing.outlines.back();
+    const Eigen::AlignedBox2d box = boundsOf(outline);
+    const double right = left + room_.boundary.elements[e].length();
+    const auto isUnseen = [&](const Eigen::Vector2d& p) {
+      return outline.contains(p) &&
+             std::none_of(openings.begin(), openings.end(),
+                          [&](const PlanLoop& loop) { return loop.contains(p); }) &&
+             settings_.is_unseen(room_.id, e, right - p.x(), p.y());
+    };
+    const double height = box.sizes().y();
+    for (double x = box.min().x() - height + step / 2; x < box.max().x(); x += step) {
+      const PlanElement line = segment({x, box.min().y()}, {x + height, box.max().y()});
+      forEachPart(
+          line, [&](double s) { return isUnseen(line.pointAt(s)); },
+          [&](const PlanElement& part, bool is_unseen) {
+            if (is_unseen)
+              drawing.lines.push_back({part, PlanLayer::Unseen, room_.id});
+          });
     }
   }
 
@@ -120,6 +153,7 @@ private:
 
   const Floorplan& plan_;
   const PlanRoom& room_;
+  const DrawingSettings& settings_;
   TriangleMesh solid_;
   std::vector<SolidElement> elements_;
 };
@@ -130,7 +164,7 @@ elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& set
   const PlanRoom* const room = findRoom(plan, id);
   if (!room)
     return {};
-  CutDrawing drawing = std::move(Elevations(plan, *room).drawing);
+  CutDrawing drawing = std::move(Elevations(plan, *room, settings).drawing);
   drawing.title = {
       "Interior elevations",
       "Room",
@@ -138,7 +172,8 @@ elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& set
       "Walls",
       std::to_string(room->boundary.elements.size()),
       "Dimensions in metres. Walls as seen from the room, unrolled, numbered "
-      "as on the plan. Openings and niches in their outlines.",
+      "as on the plan. Openings and niches in their outlines." +
+          std::string(settings.is_unseen ? " Hatched: not seen." : ""),
       false};
   complete(drawing, settings);
   return drawing;

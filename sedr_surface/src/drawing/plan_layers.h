@@ -31,6 +31,7 @@ enum class PlanLayer {
   Height,   ///< heights of ceilings
   Dimension,
   Number,  ///< numbers of walls
+  Unseen,  ///< what nobody saw of a wall
   Section, ///< marks of sections
   Note
 };
@@ -60,7 +61,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 21> layer_styles{
+inline const std::array<LayerStyle, 22> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
@@ -84,6 +85,7 @@ inline const std::array<LayerStyle, 21> layer_styles{
      {"A-CLNG-IDEN", 5, false, {}, looks::blue},
      {"A-ANNO-DIMS", 8, false, {}, 0x444444},
      {"A-WALL-IDEN", 9, false, {}, 0x8a8a8a},
+     {"A-WALL-UNSN", 9, false, {no_colour, 0x9a9a9a, 0.13}, ink},
      {"A-ANNO-SECT", 1, false, {no_colour, ink, 0.5}, ink},
      {"A-ANNO-TEXT", 7, false, {}, looks::blue}}};
 

@@ -5,6 +5,8 @@
 
 #include "sedr_surface/src/drawing/plan_drawing.h"
 
+#include <cmath>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -51,6 +53,28 @@ countOf(const std::string& dxf, const std::string& type, const std::string& laye
     else if (code == "8")
       count += is_type && value == layer ? 1 : 0;
   return count;
+}
+
+/** The sum of the lengths of lines on a layer of a DXF. */
+inline double
+lineLength(const std::string& layer, const std::string& dxf)
+{
+  double length = 0;
+  bool is_line = false;
+  std::map<std::string, double> at; // by code
+  std::istringstream lines(dxf);
+  for (std::string code, value;
+       std::getline(lines, code) && std::getline(lines, value);)
+    if (code == "0") {
+      if (is_line)
+        length += std::hypot(at["11"] - at["10"], at["21"] - at["20"]);
+      is_line = value == "LINE";
+    }
+    else if (code == "8")
+      is_line = is_line && value == layer;
+    else if (is_line && code.size() == 2 && value.find('.') != std::string::npos)
+      at[code] = std::stod(value);
+  return length;
 }
 
 /** The sum of the areas of polylines, or of hatches, whose holes count as negative, on

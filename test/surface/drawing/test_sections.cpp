@@ -208,6 +208,26 @@ TEST(Elevations, HaveTheAreaOfTheWalls)
       << "unrolled";
 }
 
+TEST(Elevations, HatchWhatNobodySaw)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  plan.openings = {
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {2, -0.1}, {1, -0.1}, 0.5, 1.5, 0, 0.2}};
+  DrawingSettings settings;
+  const auto hatched = [&] { // as an area: a line for each 0.15 m along the wall
+    const std::string dxf = drawElevations(plan, 1, {DrawingFormat::Dxf}, settings)[0];
+    return lineLength("A-WALL-UNSN", dxf) * 0.15 / std::sqrt(2);
+  };
+  EXPECT_EQ(hatched(), 0) << "nothing is known";
+  settings.is_unseen = [](std::uint32_t room, std::size_t wall, double along,
+                          double z) {
+    return room == 1 && wall == 0 && along < 3 && z < 1;
+  };
+  EXPECT_NEAR(hatched(), 3 * 1 - 1 * 0.5, 0.1) << "without the window";
+  EXPECT_TRUE(holds(drawElevations(plan, 1, {DrawingFormat::Svg}, settings)[0],
+                    "Hatched: not seen"));
+}
+
 TEST(Elevations, ShowOpeningsWhereTheyAreSeenFromTheRoom)
 {
   Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};

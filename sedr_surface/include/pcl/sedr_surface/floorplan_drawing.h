@@ -7,7 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +54,9 @@ struct DrawingSettings {
   DrawingView view = DrawingView::Floor; ///< of plans; sections have none
   bool wall_numbers = false; ///< write those of walls, as warnings name them
   SheetTexts texts{};
+  /** Whether nobody saw a place of a wall, which elevations hatch: PlanRoom::id, index
+   * of the element, metres from its start, height. Empty: nothing is known. */
+  std::function<bool(std::uint32_t, std::size_t, double, double)> is_unseen{};
   std::vector<SectionLine> sections{}; ///< that plans of the floor mark, with letters
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
@@ -117,7 +122,7 @@ std::vector<std::string> drawSection(const Floorplan& plan,
                                      const DrawingSettings& settings = {});
 
 /** @brief Draws the walls of a room as seen from it, unrolled, one beside the other,
- * with their openings and niches: outlines are those of the solid.
+ * with their openings and niches: outlines are those of the solid. Hatched: not seen.
  * @param room PlanRoom::id; an unknown one gives an empty page */
 std::vector<std::string> drawElevations(const Floorplan& plan,
                                         std::uint32_t room,
