@@ -81,25 +81,46 @@ public:
     });
   }
 
-  /** @brief Adds the edges between elements. */
+  /** @brief Adds the edges between elements, and those of curved walls where they turn
+   * away. */
   void addEdges(const TriangleMesh& solid, std::vector<PlanLine>& lines) const
   {
     constexpr double flat = 0.985; // cosine of 10 degrees
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> beside;
+    std::map<Edge, std::size_t> beside;
     for (std::size_t t = 0; t < solid.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto edge =
             std::minmax(solid.triangles[t][k], solid.triangles[t][(k + 1) % 3]);
         const auto [other, is_first] = beside.emplace(edge, t);
-        if (is_first || solid.elements[other->second] == solid.elements[t] ||
-            solid.scaledNormal(t).normalized().dot(
-                solid.scaledNormal(other->second).normalized()) > flat)
+        if (is_first)
+          continue;
+        const Eigen::Vector3d normal = solid.scaledNormal(t).normalized();
+        const Eigen::Vector3d beyond = solid.scaledNormal(other->second).normalized();
+        const bool is_border = solid.elements[other->second] != solid.elements[t];
+        const bool turns_away =
+            isUpright(edge) && isTowards(normal) != isTowards(beyond);
+        if (!turns_away && (!is_border || normal.dot(beyond) > flat))
           continue;
         addEdge(places_[edge.first], places_[edge.second], PlanLayer::Beyond, lines);
       }
   }
 
 private:
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+  bool isUpright(const Edge& edge) const
+  {
+    const Eigen::Vector3d way = places_[edge.second] - places_[edge.first];
+    return std::abs(way.y()) > 0.99 * way.norm();
+  }
+
+  /** @brief Returns whether a face looks along the depth; one seen from its edge does
+   * not. */
+  bool isTowards(const Eigen::Vector3d& normal) const
+  {
+    return way_.x() * normal.y() - way_.y() * normal.x() > 1e-6;
+  }
+
   struct Face {
     Triangle corners;
     Eigen::Vector3d normal;

@@ -12,9 +12,9 @@ namespace pcl::sedr {
 
 /** @brief Returns what is seen of a room behind the vertical plane through a line, to
  * its left: edges between elements of its solid, but for those on the cut itself, and
- * outlines of openings. Visible is what no face of the solid hides. Curved walls have
- * no edges. Places are metres along the line from its start, and heights.
- * O(edges times faces behind each other).
+ * outlines of openings, and of curved walls where they turn away. Visible is what no
+ * face of the solid hides. Places are metres along the line from its start, and
+ * heights. O(edges times faces behind each other).
  * @param solid of the room, with elements
  * @param cut where the plane cuts it */
 std::vector<PlanLine> linesBeyond(const Floorplan& plan,

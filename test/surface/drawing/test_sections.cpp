@@ -123,6 +123,15 @@ TEST(Sections, ShowWhatIsSeenBehindThem)
   EXPECT_EQ(countOf(nearer, "LINE", "A-SECT-BYND"), 0u) << "it is before the plane";
 }
 
+TEST(Sections, AColumnBehindThemHasItsOutlines)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  plan.rooms[0].columns = {reversed(circle({1, 2}, 0.25))};
+  const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, {DrawingFormat::Dxf})[0];
+  EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 2u) << "left and right";
+  EXPECT_NEAR(lineLength("A-SECT-BYND", dxf), 2 * 2.5, 0.03);
+}
+
 TEST(Sections, AFaceHidesWhatIsBehindIt)
 {
   // A beam at 2.2 m hides the window's head at 2.3 m behind it.
