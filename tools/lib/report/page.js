@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fills the sections of page.html from the page's JSON. A section is a function below; it returns whether there is
-// anything to show. `readGlb` and `showModel` are in model.js,
-// texts and tables in texts.js.
+// anything to show. `readGlb` and `showModel` are in model.js, tables in texts.js.
 (function () {
   'use strict';
   const data = JSON.parse(document.getElementById('data').textContent);
   const report = data.report, plan = data.plan || { rooms: [], storeys: [] };
   const rooms = (report.rooms || []).length ? report.rooms : plan.rooms;
-  const storeys = plan.storeys || [];
-  const distances = (report.evaluation || {}).cloud_to_mesh;
+  const storeys = plan.storeys || [], distances = (report.evaluation || {}).cloud_to_mesh;
   const byId = id => document.getElementById(id);
 
   // ---- Head ----
