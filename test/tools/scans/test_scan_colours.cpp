@@ -133,7 +133,7 @@ TEST(MedianColours, AreThoseOfGroupsWhateverTheOrder)
                            i % 3 == 0 ? Label::Floor : Label::Wall, 1});
   writeFile(path, paintedPcd(scan));
   const JointScan joint({path}, {});
-  ASSERT_TRUE(hasColours(joint));
+  ASSERT_TRUE(joint.hasColours());
   const auto medians = medianColours(
       joint, [](const Eigen::Vector3f& p) { return static_cast<std::size_t>(p.x()); },
       2, 0);
