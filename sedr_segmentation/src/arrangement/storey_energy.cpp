@@ -185,7 +185,7 @@ StoreyCosts::addFronts(const StoreyEvidence& evidence,
     const auto i =
         static_cast<std::size_t>((line.along(p) - line.from) / StoreyLine::bin);
     for (const auto& [room, seen] : line.seen) {
-      if (!(seen[i] > 0) || !line.is_own[i] || !(line.tall[i] > 0))
+      if (!(seen[i] > 0) || !(line.tall[i] > 0))
         continue;
       const int side = sideOfAir(evidence, room, p, left);
       if (side == 0)

@@ -213,33 +213,4 @@ LineEvidence::findBetween(const std::vector<StoreyLine>& lines, StoreyLine& line
   }
 }
 
-void
-findOwn(const std::vector<StoreyLine>& lines, StoreyLine& line)
-{
-  constexpr double beside = 0.04;   // metres
-  constexpr double parallel = 0.98; // cosine
-  line.is_own.assign(line.any.size(), 1);
-  std::vector<const StoreyLine*> others;
-  const Eigen::AlignedBox2d box = line.box();
-  for (const StoreyLine& other : lines)
-    if (&other != &line && box.intersects(other.box()))
-      others.push_back(&other);
-  for (std::size_t i = 0; i < line.any.size(); ++i) {
-    if (!(line.any[i] > 0))
-      continue;
-    const Eigen::Vector2d p =
-        line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
-    const Eigen::Vector2d way = line.curve.tangentAt(p);
-    line.is_own[i] =
-        std::none_of(others.begin(), others.end(), [&](const StoreyLine* other) {
-          if (other->curve.distance(p) > beside ||
-              std::abs(other->curve.tangentAt(p).dot(way)) < parallel)
-            return false;
-          const double there = other->seenAt(other->curve.project(p));
-          const double here = line.any[i];
-          return other < &line ? there >= here : there > here;
-        });
-  }
-}
-
 } // namespace pcl::sedr

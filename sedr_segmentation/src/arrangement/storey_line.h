@@ -34,7 +34,6 @@ struct StoreyLine : FaceCurve {
   std::vector<float> any;           ///< the most of them
   std::vector<float> tall;          ///< the same where it reaches up to the ceiling
   std::vector<Between> between;     ///< of each bin where it does not
-  std::vector<std::uint8_t> is_own; ///< in each bin: no better line has its surface
   std::vector<double> edges; ///< where the surface begins or ends, along the curve
 
   /** @brief Returns how well a surface is explained at a place; -1 beyond the ends. */
@@ -81,9 +80,5 @@ private:
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
   std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
 };
-
-/** @brief Finds which surfaces are a line's own: no other one explains them better.
- * @param line one of the lines */
-void findOwn(const std::vector<StoreyLine>& lines, StoreyLine& line);
 
 } // namespace pcl::sedr

@@ -177,7 +177,6 @@ storeyLines(const StoreyEvidence& storey)
                      };
                      return order(a) < order(b);
                    });
-  forEachLine([&](StoreyLine& line) { findOwn(lines, line); });
   return storey_lines;
 }
 
