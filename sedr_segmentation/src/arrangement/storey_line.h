@@ -26,15 +26,15 @@ struct StoreyLine : FaceCurve {
     Nothing ///< farther away
   };
 
-  bool is_end = false; ///< no surface: air that was seen ends there, or a face does
+  bool is_end = false; ///< no surface: a face ends there
   double parameters = 1;
   double near = 0.03; ///< maximum distance of its surfaces
   std::map<std::uint32_t, std::vector<float>>
-      seen;                         ///< share explained, by room and bin
-  std::vector<float> any;           ///< the most of them
-  std::vector<float> tall;          ///< the same where it reaches up to the ceiling
-  std::vector<Between> between;     ///< of each bin where it does not
-  std::vector<double> edges; ///< where the surface begins or ends, along the curve
+      seen;                     ///< share explained, by room and bin
+  std::vector<float> any;       ///< the most of them
+  std::vector<float> tall;      ///< the same where it reaches up to the ceiling
+  std::vector<Between> between; ///< of each bin where it does not
+  std::vector<double> edges;    ///< where the surface begins or ends, along the curve
 
   /** @brief Returns how well a surface is explained at a place; -1 beyond the ends. */
   double seenAt(const Eigen::Vector2d& p) const;

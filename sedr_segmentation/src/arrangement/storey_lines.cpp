@@ -14,81 +14,6 @@ namespace {
 
 constexpr double beyond = 4; // metres that a line goes on past its seen ends,
 constexpr double beyond_arc = 0.2;
-constexpr double aligned = 0.966; // cosine
-
-/** @brief A place at a surface or at the end of air, and the normal there. */
-struct NormalPlace {
-  Eigen::Vector2d at;
-  Eigen::Vector2d normal;
-};
-
-/** @brief Returns the places where the seen air of a room ends, normals out of it. */
-std::vector<NormalPlace>
-endsOfAir(const RoomCells& room, const CellGrid& grid)
-{
-  constexpr double holes = 3; // cells
-  constexpr int reach = 3;    // cells
-  const CellMask seen = eroded(dilated(room.seen, holes), holes);
-  std::vector<NormalPlace> ends;
-  for (std::size_t i = 0; i < seen.values().size(); ++i) {
-    const Cell cell = seen.cellAt(i);
-    if (!seen.values()[i] ||
-        (seen.at({cell.x + 1, cell.y}) && seen.at({cell.x - 1, cell.y}) &&
-         seen.at({cell.x, cell.y + 1}) && seen.at({cell.x, cell.y - 1})))
-      continue;
-    Eigen::Vector2d out = Eigen::Vector2d::Zero();
-    for (int y = -reach; y <= reach; ++y)
-      for (int x = -reach; x <= reach; ++x)
-        if (!seen.at({cell.x + x, cell.y + y}))
-          out += Eigen::Vector2d(x, y);
-    if (out.norm() > 0)
-      ends.push_back(
-          {grid.centre(cell) + grid.size() / 2 * out.normalized(), out.normalized()});
-  }
-  return ends;
-}
-
-/** @brief Appends the lines at which the air of a room ends without a surface. */
-void
-appendEnds(const RoomCells& room,
-           const CellGrid& grid,
-           const std::vector<Eigen::Vector2d>& normals,
-           std::vector<StoreyLine>& lines)
-{
-  constexpr double near = 0.2; // metres
-  constexpr double on = 1;     // metre that a line goes on
-  const CellBox& cells = room.seen.box();
-  const Eigen::AlignedBox2d box(grid.centre(cells.low), grid.centre(cells.high));
-  std::vector<const StoreyLine*> faces;
-  for (const StoreyLine& line : lines)
-    if (!line.is_end && line.box().intersects(box))
-      faces.push_back(&line);
-  std::vector<NormalPlace> ends;
-  for (const NormalPlace& end : endsOfAir(room, grid)) {
-    const auto isBeside = [&](const StoreyLine* line) {
-      const double s = line->along(end.at);
-      return line->curve.distance(end.at) <= near && s > line->from - near &&
-             s < line->to + near &&
-             std::abs(line->curve.tangentAt(end.at).dot(end.normal)) < 0.7;
-    };
-    if (std::none_of(faces.begin(), faces.end(), isBeside))
-      ends.push_back(end);
-  }
-  for (const Eigen::Vector2d& normal : normals) {
-    std::vector<std::pair<double, double>> places; // offset, along
-    for (const NormalPlace& end : ends)
-      if (std::abs(end.normal.dot(normal)) > aligned)
-        places.emplace_back(normal.dot(end.at), leftOf(normal).dot(end.at));
-    for (const FaceCurve& run : linesAlong(std::move(places), normal,
-                                           {grid.size(), 2 * grid.size(), 1, 0.5})) {
-      StoreyLine& line = lines.emplace_back();
-      static_cast<FaceCurve&>(line) = run;
-      line.is_end = true;
-      line.from -= on;
-      line.to += on;
-    }
-  }
-}
 
 /** @brief Appends lines across the ends of faces that end at no other one. */
 void
@@ -149,8 +74,6 @@ storeyLines(const StoreyEvidence& storey)
     static_cast<FaceCurve&>(line) = face;
     line.parameters = face.curve.isCircle() ? 3 : face.is_main ? 1 : 2;
   }
-  for (const std::size_t r : storey.storey.rooms)
-    appendEnds(storey.cells[r], storey.grid, faces.normals, lines);
   const LineEvidence evidence(storey);
   const auto forEachLine = [&](const auto& body) {
     parallelBlocks(lines.size(), 1, storey.threads,
@@ -158,8 +81,7 @@ storeyLines(const StoreyEvidence& storey)
   };
   forEachLine([&](StoreyLine& line) {
     const double on =
-        line.is_end ? 0
-        : line.curve.isCircle()
+        line.curve.isCircle()
             ? std::min(beyond_arc, M_PI * line.curve.radius - (line.to - line.from) / 2)
             : beyond;
     line.from -= on;

@@ -14,8 +14,8 @@ struct StoreyLines {
   double certainty = 0; ///< nats a metre of surface, that it is a wall's
 };
 
-/** @brief Finds the lines of a storey: those of its faces, where seen air ends without
- * one, and across the ends of faces. Those with most surface come first. */
+/** @brief Finds the lines of a storey: those of its faces, and across their ends. Those
+ * with most surface come first. */
 StoreyLines storeyLines(const StoreyEvidence& storey);
 
 } // namespace pcl::sedr

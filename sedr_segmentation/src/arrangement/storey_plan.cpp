@@ -115,8 +115,6 @@ public:
     expand(every, nullptr, 4);
     while (prune())
       expand(every, nullptr, 4);
-    shares_prices_ = true;
-    expand(every, nullptr, 4);
   }
 
   const std::vector<int>& labels() const { return labels_; }
@@ -143,19 +141,6 @@ private:
   }
 
   double priceOf(std::size_t line) const { return price_ * lines_[line].parameters; }
-
-  /** @brief Returns what a border costs, with its share of the price of its line if no
-   * surface is on that: a cut sees borders, not lines, and would not leave out both
-   * ends of a recess at once. */
-  double cutCost(std::size_t b, int left, int right) const
-  {
-    const LineUse& use = uses_[borders_[b].line];
-    return left == right || use.borders == 0 || !shares_prices_ ||
-                   !lines_[borders_[b].line].is_end
-               ? borderCost(b, left, right)
-               : borderCost(b, left, right) +
-                     priceOf(borders_[b].line) * borders_[b].length() / use.length;
-  }
 
   /** @brief Sets labels. Returns by how much the energy rises. */
   double set(const Changes& changes)
@@ -230,16 +215,17 @@ private:
         const int right = labels_[border.right];
         const std::size_t other = border.left == c ? border.right : border.left;
         if (local_[other] == none) {
-          no += cutCost(b, left, right);
-          yes += border.left == c ? cutCost(b, alpha, right) : cutCost(b, left, alpha);
+          no += borderCost(b, left, right);
+          yes += border.left == c ? borderCost(b, alpha, right)
+                                  : borderCost(b, left, alpha);
           continue;
         }
         if (border.left != c)
           continue;
-        const double no_yes = cutCost(b, left, alpha);
-        const double yes_no = cutCost(b, alpha, right);
+        const double no_yes = borderCost(b, left, alpha);
+        const double yes_no = borderCost(b, alpha, right);
         // A thin part of `alpha` between two others may cost less than their border.
-        const double no_no = std::min(cutCost(b, left, right), no_yes + yes_no);
+        const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
         if (no_yes + yes_no > 0)
           cut.addPair(i, local_[other], no_no, no_yes, yes_no, 0);
       }
@@ -324,7 +310,6 @@ private:
   const std::vector<StoreyLine>& lines_;
   const std::vector<CellBorder>& borders_;
   double price_;
-  bool shares_prices_ = false; ///< before lines were left out, too many are in use
   std::vector<std::uint8_t> may_use_; ///< of each line
   std::vector<LineUse> uses_;
   std::vector<std::vector<std::size_t>> of_line_; ///< its borders
