@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -20,43 +21,40 @@ difference(std::vector<PlanLoop> areas, const std::vector<PlanLoop>& without)
   return unionOf(areas);
 }
 
-/** @brief A stretch of the border between a room as it was and what is added to it. */
+/** @brief A stretch of the border of an added area along one part of a ceiling or
+ * floor.
+ */
 struct Border {
   PlanElement piece;
-  int part = -1; ///< of the floor or ceiling that ends there
+  int part = -1;
   std::vector<Eigen::Vector2d> places;
 };
 
-constexpr double step = 0.01; // between places on a border, metres
-
-/** @brief Returns how the border of an area that a room got consists of stretches along
- * parts of its ceiling or floor. */
 std::vector<Border>
 bordersOf(const PlanLoop& added,
           const std::vector<PlanLoop>& before,
           const std::function<int(const Eigen::Vector2d&)>& partAt)
 {
+  constexpr double step = 0.01; // metres
   std::vector<Border> borders;
   for (const PlanElement& side : added.elements) {
     double from = 0;
-    bool goes_on = false;
-    for (double s = 0; s < side.length(); s += step) {
-      const double to = std::min(s + step, side.length());
-      const Eigen::Vector2d place =
-          side.pointAt((s + to) / 2) - step * side.normalAt((s + to) / 2);
-      const bool is_border =
-          std::any_of(before.begin(), before.end(),
-                      [&](const PlanLoop& loop) { return loop.contains(place); });
-      const int part = is_border ? partAt(place) : -1;
-      goes_on = is_border && goes_on && borders.back().part == part;
-      from = goes_on ? from : s;
-      if (is_border && !goes_on)
-        borders.push_back({{}, part, {side.pointAt(s)}});
-      if (is_border) {
-        borders.back().piece = side.part(from, to);
-        borders.back().places.push_back(side.pointAt(to));
+    double to = 0;
+    for (double s = 0; s < side.length(); s = to) {
+      to = std::min(s + step, side.length());
+      const double middle = (s + to) / 2;
+      const Eigen::Vector2d place = side.pointAt(middle) - step * side.normalAt(middle);
+      if (std::none_of(before.begin(), before.end(),
+                       [&](const PlanLoop& loop) { return loop.contains(place); })) {
+        from = to;
+        continue;
       }
-      goes_on = is_border;
+      if (from == s || borders.back().part != partAt(place)) {
+        borders.push_back({{}, partAt(place), {side.pointAt(s)}});
+        from = s;
+      }
+      borders.back().piece = side.part(from, to);
+      borders.back().places.push_back(side.pointAt(to));
     }
   }
   return borders;
@@ -97,38 +95,28 @@ cover(const PlanLoop& added,
       bordersOf(added, before, [&](const Eigen::Vector2d& at) {
         return is_floor ? room.floorDetailAt(at) : room.detailAt(at);
       });
-  const auto longest = std::max_element(borders.begin(), borders.end(),
-                                        [](const Border& a, const Border& b) {
-                                          return a.places.size() < b.places.size();
-                                        });
-  if (longest == borders.end())
-    return;
-  const auto slabOf = [&](const Border& border) {
-    PlanSlab slab =
-        is_floor ? room.floorSlab(border.part) : room.ceilingSlab(border.part);
+  const auto isFacet = [&](int part) {
+    return part < 0 || details[static_cast<std::size_t>(part)].is_facet;
+  };
+  const auto longest = std::max_element(
+      borders.begin(), borders.end(), [&](const Border& a, const Border& b) {
+        return std::make_pair(isFacet(a.part), a.places.size()) <
+               std::make_pair(isFacet(b.part), b.places.size());
+      });
+  const auto add = [&](const PlanLoop& area, int part) {
+    PlanSlab slab = is_floor ? room.floorSlab(part) : room.ceilingSlab(part);
     setByHand(slab);
-    return slab;
+    details.push_back({area, {}, slab, isFacet(part)});
   };
-  const auto isFacet = [&](const Border& border) {
-    return border.part < 0 || details[static_cast<std::size_t>(border.part)].is_facet;
-  };
-  const bool is_one =
-      std::all_of(borders.begin(), borders.end(),
-                  [&](const Border& border) { return border.part == longest->part; });
-  PlanDetail all{added, {}, slabOf(*longest), isFacet(*longest)};
-  if (!is_one) { // corners that are beside none are level
-    const double z = all.slab.heightAt(longest->places[longest->places.size() / 2]);
-    all.slab = {Eigen::Vector4d(0, 0, 1, -z), 0, 0, 1};
-  }
-  if (!is_one || longest->part >= 0)
-    details.push_back(all);
+  if (longest != borders.end() && longest->part >= 0)
+    add(added, longest->part);
   for (const Border& border : borders)
-    if (!is_one)
+    if (border.part != longest->part)
       for (const PlanLoop& area : difference(
                {added},
                difference({added}, {besideBorder(border, borders, added.length())})))
         if (area.area() > least)
-          details.push_back({area, {}, slabOf(border), isFacet(border)});
+          add(area, border.part);
   std::stable_partition(details.begin(), details.end(),
                         [](const PlanDetail& d) { return d.is_facet; });
 }
@@ -140,22 +128,14 @@ continueSlabs(const Floorplan& before, Floorplan& plan)
     const PlanRoom* const old = findRoom(before, room.id);
     if (!old || isSame(old->boundary, room.boundary))
       continue;
-    std::vector<PlanLoop> loops{room.boundary};
+    std::vector<PlanLoop> olds;
     for (const PlanRoom& r : before.rooms)
       if (r.id == room.id || !findRoom(plan, r.id))
-        loops.push_back(r.boundary);
-    std::vector<Eigen::Vector2d> ends;
-    for (const PlanLoop& loop : loops)
-      for (const PlanElement& e : loop.elements)
-        ends.push_back(e.start);
-    for (PlanLoop& loop : loops)
-      loop = cutAt(loop, ends);
-    const std::vector<PlanLoop> olds(loops.begin() + 1, loops.end());
-    for (const PlanLoop& added : difference({loops[0]}, olds))
+        olds.push_back(r.boundary);
+    for (const PlanLoop& added : difference({room.boundary}, olds))
       if (added.area() > least)
         for (const bool is_floor : {false, true})
-          if (!(is_floor ? room.floor_details : room.details).empty())
-            cover(added, olds, room, is_floor);
+          cover(added, olds, room, is_floor);
   }
 }
 

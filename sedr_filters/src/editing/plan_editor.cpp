@@ -248,14 +248,9 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
              heightText(*second);
     std::vector<PlanLoop> areas = wallsBetween(plan, first, *second, max_wall_);
     const std::size_t walls = areas.size();
-    std::vector<Eigen::Vector2d> ends;
-    for (const PlanLoop& wall : areas)
-      for (const PlanElement& side : wall.elements)
-        ends.push_back(side.start);
     for (const PlanRoom* part : {&first, &*second}) {
-      areas.push_back(cutAt(part->boundary, ends));
-      for (const PlanLoop& column : part->columns)
-        areas.push_back(cutAt(column, ends));
+      areas.push_back(part->boundary);
+      areas.insert(areas.end(), part->columns.begin(), part->columns.end());
     }
     const std::vector<PlanLoop> loops = unionOf(areas);
     if (walls == 0 || std::count_if(loops.begin(), loops.end(), [](const PlanLoop& l) {

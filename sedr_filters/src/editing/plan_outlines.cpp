@@ -124,6 +124,25 @@ private:
   std::map<std::pair<int, int>, Eigen::Vector2d> exact_; ///< ends of elements
 };
 
+/** @brief Returns a loop whose elements end where places touch it. */
+PlanLoop
+cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places)
+{
+  PlanLoop cut;
+  for (const PlanElement& e : loop.elements) {
+    std::vector<double> ends{0, e.length()};
+    for (const Eigen::Vector2d& p : places)
+      if (const double s = e.project(p);
+          e.distance(p) < touching && s > touching && s < e.length() - touching)
+        ends.push_back(s);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      if (ends[k + 1] - ends[k] > touching)
+        cut.elements.push_back(ends.size() > 2 ? e.part(ends[k], ends[k + 1]) : e);
+  }
+  return cut;
+}
+
 } // namespace
 
 void
@@ -296,26 +315,15 @@ commonArea(const PlanRoom& a, const PlanRoom& b)
   return static_cast<double>(bp::area(common)) * unit * unit;
 }
 
-PlanLoop
-cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places)
-{
-  PlanLoop cut;
-  for (const PlanElement& e : loop.elements) {
-    std::vector<double> ends{0, e.length()};
-    for (const Eigen::Vector2d& p : places)
-      if (e.distance(p) < touching)
-        ends.push_back(e.project(p));
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-      if (ends[k + 1] - ends[k] > touching)
-        cut.elements.push_back(ends.size() > 2 ? e.part(ends[k], ends[k + 1]) : e);
-  }
-  return cut;
-}
-
 std::vector<PlanLoop>
-unionOf(const std::vector<PlanLoop>& areas)
+unionOf(std::vector<PlanLoop> areas)
 {
+  std::vector<Eigen::Vector2d> ends;
+  for (const PlanLoop& loop : areas)
+    for (const PlanElement& e : loop.elements)
+      ends.push_back(e.start);
+  for (PlanLoop& loop : areas)
+    loop = cutAt(loop, ends);
   const Eigen::Vector2d origin = boundsOf(areas.front()).min();
   GridArea area;
   for (const bool is_hole : {false, true})

@@ -36,16 +36,14 @@ std::string meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop);
  * columns are no part of it. */
 double commonArea(const PlanRoom& a, const PlanRoom& b);
 
-/** @brief Returns a loop whose elements end where places touch it. */
-PlanLoop cutAt(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& places);
-
 /** @brief Returns the outlines of some areas as one, counter-clockwise, and its holes,
  * clockwise. They consist of the elements of the areas, with all that these tell.
- * @param areas outlines and holes; where they touch, they have common ends */
-std::vector<PlanLoop> unionOf(const std::vector<PlanLoop>& areas);
+ * @param areas outlines and holes */
+std::vector<PlanLoop> unionOf(std::vector<PlanLoop> areas);
 
 /** @brief Covers an area of a room, of which nothing is known, with the parts of its
- * ceiling or floor beside it: what is there belongs to the nearest one.
+ * ceiling or floor beside it: what is there belongs to the nearest one, and corners
+ * that are beside none to the one with the longest border.
  * @param before the areas of which something is known */
 void cover(const PlanLoop& added,
            const std::vector<PlanLoop>& before,
