@@ -1,61 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../plan_loops.h"
+#include "edited_plans.h"
 
-#include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
-#include <gtest/gtest.h>
-
 #include <limits>
-#include <string>
-#include <vector>
 
 using namespace pcl::sedr;
-using sedr_test::rectangle;
-using sedr_test::roomOf;
-using sedr_test::slabAt;
+using namespace sedr_test;
 
 namespace {
 
 using Told = std::vector<std::string>;
 
-/** Rooms of 4 m x 3 m and 2 m x 3 m with a wall of 20 cm and a door between them. */
-Floorplan
-roomsWithADoor()
-{
-  Floorplan plan;
-  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5, 1),
-                roomOf(rectangle(4.2, 0, 6.2, 3), 2.5, 2)};
-  plan.openings = {
-      {OpeningKind::Door, {1, 2}, {{1, 1}, {2, 3}}, {4.1, 1}, {4.1, 2}, 0, 2, 0, 0.2}};
-  numberOpenings(plan);
-  return plan;
-}
-
 TEST(EditRefusals, OpeningsThatGoWithTheirWallsAreTold)
 {
-  PlanEditor merged(roomsWithADoor());
-  ASSERT_TRUE(merged.merge(1, 2)) << merged.getErrorMessage();
+  PlanEditor merged(twoRooms());
+  ASSERT_TRUE(done(merged.merge(1, 2), merged));
   EXPECT_EQ(merged.getWarnings(), Told{"D1: the door at (4.10, 1.50) is in no wall any "
                                        "more: it is left out"});
   EXPECT_TRUE(merged.getFloorplan().openings.empty());
-  Floorplan plan = roomsWithADoor();
+  Floorplan plan = twoRooms();
   plan.openings[0].rooms[1] = 0;
   plan.openings[0].walls.pop_back();
   PlanEditor dropped(plan);
-  ASSERT_TRUE(dropped.drop(1)) << dropped.getErrorMessage();
+  ASSERT_TRUE(done(dropped.drop(1), dropped));
   EXPECT_EQ(dropped.getWarnings(), merged.getWarnings());
 }
 
 TEST(EditRefusals, FloorsAndCeilingsThatMeetARoomAboveOrBelow)
 {
-  Floorplan plan = roomsWithADoor();
-  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 5.3, 3)); // above room 1
-  plan.rooms[2].floor = slabAt(2.8);
-  plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}, {2, "first", 2.8, 5.3, {3}}};
+  Floorplan plan = twoStoreys();
   PlanEditor editor(plan);
-  EXPECT_FALSE(editor.setCeiling(1, 2.85));
-  EXPECT_EQ(editor.getErrorMessage(),
+  EXPECT_EQ(refusal(editor.setCeiling(1, 2.85), editor),
+
             "room 1 from z 0 to 2.85 m would then meet room 3 from z 2.8 to 5.3 m");
   EXPECT_FALSE(editor.setCeiling(1, 9));
   EXPECT_FALSE(editor.setFloor(3, 2.4));
@@ -67,35 +44,12 @@ TEST(EditRefusals, FloorsAndCeilingsThatMeetARoomAboveOrBelow)
   EXPECT_FALSE(below_roof.setCeiling(2, 0.8));
   EXPECT_EQ(below_roof.getErrorMessage().find("its ceiling would then be 0."), 0u);
   EXPECT_FALSE(below_roof.setFloor(2, 2.5));
-  EXPECT_TRUE(below_roof.setFloor(2, 1.9)) << below_roof.getErrorMessage();
-}
-
-TEST(EditRefusals, WhatARaisedFloorChangesWasNotMeasured)
-{
-  Floorplan plan = roomsWithADoor();
-  plan.openings[0].residual = plan.openings[0].deviation_95 = 0.01;
-  plan.openings.push_back(plan.openings[0]);
-  plan.openings[1].bottom = 1; // not on the floor
-  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 3), 5.3, 3));
-  plan.rooms[2].floor = slabAt(2.8);
-  PlanFlight flight;
-  for (const double x : {3.0, 2.8, 2.6, 2.4})
-    flight.risers.push_back({Eigen::Vector2d(x, 2), {x, 1}});
-  flight.rise = 0.7;
-  plan.stairs = {{{1, 3}, {3, 1.5}, 0, 2.8, {flight}}};
-  PlanEditor editor(plan);
-  ASSERT_TRUE(editor.setFloor(1, 0.1)) << editor.getErrorMessage();
-  ASSERT_TRUE(editor.setFloor(3, 2.9)) << editor.getErrorMessage();
-  const Floorplan& now = editor.getFloorplan();
-  EXPECT_EQ(now.openings[0].residual + now.openings[0].deviation_95, 0);
-  EXPECT_EQ(now.openings[1].residual, 0.01);
-  EXPECT_NEAR(now.stairs[0].flights[0].bottom, 0.1, 1e-12);
-  EXPECT_NEAR(now.stairs[0].flights[0].top(), 2.9, 1e-12);
+  ASSERT_TRUE(done(below_roof.setFloor(2, 1.9), below_roof));
 }
 
 TEST(EditRefusals, AMovedStoreyWasNotMeasured)
 {
-  Floorplan plan = roomsWithADoor();
+  Floorplan plan = twoRooms();
   plan.rooms[1].floor = slabAt(-0.2); // a pit: 12 m2 of 18 are at 0
   plan.openings[0].residual = plan.openings[0].deviation_95 = 0.01;
   PlanRoom& room = plan.rooms[0];
@@ -107,7 +61,7 @@ TEST(EditRefusals, AMovedStoreyWasNotMeasured)
   for (PlanElement& wall : room.boundary.elements)
     wall.accuracy = {0.001, 0.01};
   PlanEditor editor(plan);
-  ASSERT_TRUE(editor.setStorey(1, 1)) << editor.getErrorMessage();
+  ASSERT_TRUE(done(editor.setStorey(1, 1), editor));
   EXPECT_EQ(editor.getSentence(),
             "the usual floor of storey 1 is at z 1.000 m, it was at 0.000");
   const PlanRoom& now = editor.getFloorplan().rooms[0];
@@ -128,23 +82,21 @@ TEST(EditRefusals, AMovedStoreyWasNotMeasured)
 
 TEST(EditRefusals, AJogIsNoDeeperThanAWall)
 {
-  Floorplan plan;
-  plan.rooms = {
-      roomOf(sedr_test::polygon({{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 3.7}, {0, 3.7}}),
-             2.5, 1)};
+  const Floorplan plan =
+      planOf({polygon({{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 3.7}, {0, 3.7}})});
   PlanEditor editor(plan);
-  EXPECT_FALSE(editor.removeJog(1, 4)); // x = 4
-  EXPECT_EQ(editor.getErrorMessage(), "wall 1.4 is no jog: wall 1.3 would move by "
-                                      "0.700 m, more than a wall is thick, 0.600 m");
+  EXPECT_EQ(refusal(editor.removeJog(1, 4), editor), // x = 4
+            "wall 1.4 is no jog: wall 1.3 would move by 0.700 m, more than a wall is "
+            "thick, 0.600 m");
   EXPECT_TRUE(PlanEditor(plan, 0.8).removeJog(1, 4));
 }
 
 TEST(EditRefusals, OpeningsThatNoWallHasAnyMoreAreTold)
 {
-  PlanEditor editor(roomsWithADoor());
-  ASSERT_TRUE(editor.moveWall(1, 2, -0.3)) << editor.getErrorMessage(); // x = 4
+  PlanEditor editor(twoRooms());
+  ASSERT_TRUE(done(editor.moveWall(1, 2, -0.3), editor)); // x = 4
   EXPECT_EQ(editor.getWarnings(), Told{}) << "a wall of 0.5 m";
-  ASSERT_TRUE(editor.moveWall(1, 2, -0.3)) << editor.getErrorMessage();
+  ASSERT_TRUE(done(editor.moveWall(1, 2, -0.3), editor));
   EXPECT_EQ(editor.getWarnings(),
             Told{"D1: the door at (3.80, 1.50) is in no wall between its rooms any "
                  "more: the IFC may be without it"});
@@ -154,17 +106,15 @@ TEST(EditRefusals, OpeningsThatNoWallHasAnyMoreAreTold)
 
 TEST(EditRefusals, WhatIsAddedHasTheHeightOfWhatIsBesideIt)
 {
-  Floorplan plan = roomsWithADoor();
-  plan.rooms.pop_back();
-  plan.openings.clear();
+  Floorplan plan = planOf({rectangle(0, 0, 4, 3)});
   PlanRoom& room = plan.rooms[0];
   room.ceiling = slabAt(9); // which is nowhere
   room.details = {{rectangle(0, 0, 1, 3), {}, slabAt(2.5), true},
                   {rectangle(1, 0, 4, 3), {}, slabAt(1, 0.5), true}};
   room.floor_details = {{rectangle(3, 0, 4, 3), {}, slabAt(0.2)}};
   PlanEditor editor(plan);
-  ASSERT_TRUE(editor.moveWall(1, 3, 0.5)) << editor.getErrorMessage(); // y = 3
-  ASSERT_TRUE(editor.moveWall(1, 2, 1)) << editor.getErrorMessage();   // x = 4
+  ASSERT_TRUE(done(editor.moveWall(1, 3, 0.5), editor)); // y = 3
+  ASSERT_TRUE(done(editor.moveWall(1, 2, 1), editor));   // x = 4
   const PlanRoom& now = editor.getFloorplan().rooms[0];
   for (const double x : {0.01, 0.3, 0.985, 1.015, 2.0, 3.9, 4.0, 4.1, 4.9})
     for (const double y : {0.01, 2.0, 2.9999, 3.0001, 3.3, 3.49}) {
@@ -179,15 +129,13 @@ TEST(EditRefusals, NumbersThatAreNoLengths)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const double endless = std::numeric_limits<double>::infinity();
-  Floorplan plan = roomsWithADoor();
-  PlanFlight flight;
-  flight.risers = {{Eigen::Vector2d(3, 2), {3, 1}}, {Eigen::Vector2d(2, 2), {2, 1}}};
-  flight.rise = 0.2;
+  Floorplan plan = twoRooms();
+  const PlanFlight flight = flightOf(2, {3, 2}, 0.2);
   plan.stairs = {{{1, 0}, {3, 1.5}, 0, 0.4, {flight}}};
   PlanEditor editor(plan);
   OpeningChange size{OpeningKind::Window, 0.6, 0.5, none};
-  EXPECT_FALSE(editor.addOpening(1, 1, 2, size));
-  EXPECT_EQ(editor.getErrorMessage(),
+  EXPECT_EQ(refusal(editor.addOpening(1, 1, 2, size), editor),
+
             "an opening's bottom must lie within 1e+06 m, it is nan");
   size.sill = 1;
   for (const double wrong : {none, endless, -endless}) {
@@ -201,19 +149,19 @@ TEST(EditRefusals, NumbersThatAreNoLengths)
     EXPECT_FALSE(editor.setOpening("D1", {{}, {}, wrong}));
     EXPECT_FALSE(editor.setOpening("D1", {{}, {}, {}, wrong}));
   }
-  EXPECT_TRUE(editor.setCeiling(1, 2.4)) << editor.getErrorMessage();
+  ASSERT_TRUE(done(editor.setCeiling(1, 2.4), editor));
 }
 
 TEST(EditRefusals, FloorsAboveTheHeadsOfDoors)
 {
-  Floorplan plan = roomsWithADoor();
+  Floorplan plan = twoRooms();
   plan.openings[0].walls.clear();
   PlanEditor editor(plan);
-  EXPECT_FALSE(editor.setFloor(1, 2));
-  EXPECT_EQ(editor.getErrorMessage(),
+  EXPECT_EQ(refusal(editor.setFloor(1, 2), editor),
+
             "the top of D1, at z 2 m, must be above its bottom, at 2");
   EXPECT_FALSE(editor.setFloor(1, 2.2));
-  ASSERT_TRUE(editor.setFloor(1, 0.1)) << editor.getErrorMessage();
+  ASSERT_TRUE(done(editor.setFloor(1, 0.1), editor));
   EXPECT_EQ(editor.getFloorplan().openings[0].bottom, 0.1);
 }
 

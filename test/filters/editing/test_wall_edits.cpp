@@ -14,18 +14,17 @@ namespace {
 TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
 {
   PlanEditor editor(twoRooms());
-  ASSERT_TRUE(editor.moveWall(1, 2, 0.05)) << editor.getErrorMessage(); // x = 4
-  expectValid(editor);
+  ASSERT_TRUE(done(editor.moveWall(1, 2, 0.05), editor)); // x = 4
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
   EXPECT_NEAR(editor.getFloorplan().openings[0].depth, 0.15, 1e-12);
   EXPECT_NEAR(editor.getFloorplan().openings[0].start.x(), 4.125, 1e-12);
   EXPECT_EQ(editor.getSentence(), "wall 1.2 is moved outwards by 0.050 m; room 1 has "
                                   "12.15 m2 in place of 12.00");
-  EXPECT_FALSE(editor.moveWall(1, 2, -5));
-  EXPECT_EQ(editor.getErrorMessage(),
+  EXPECT_EQ(refusal(editor.moveWall(1, 2, -5), editor),
+
             "walls beside it would vanish, and those behind them do not meet");
-  EXPECT_FALSE(editor.moveWall(1, 9, 1));
-  EXPECT_EQ(editor.getErrorMessage(), "there is no wall 1.9: room 1 has 4");
+  EXPECT_EQ(refusal(editor.moveWall(1, 9, 1), editor),
+            "there is no wall 1.9: room 1 has 4");
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
 }
 
@@ -69,15 +68,12 @@ TEST(PlanEditor, WhatIsSetByHandWasNotMeasured)
 
 TEST(PlanEditor, AWallMovesAlongTheArcBesideIt)
 {
-  const PlanLoop apse{{sedr_test::segment({0, 0}, {4, 0}),
-                       sedr_test::segment({4, 0}, {4, 3}),
-                       sedr_test::arc({2, 1.5}, 2.5, std::atan2(1.5, 2) * 180 / M_PI,
-                                      std::atan2(1.5, -2) * 180 / M_PI),
-                       sedr_test::segment({0, 3}, {0, 0})}};
-  Floorplan plan;
-  plan.rooms = {roomOf(apse, 2.5, 1)};
-  PlanEditor editor(plan);
-  ASSERT_TRUE(editor.moveWall(1, 2, 0.1)) << editor.getErrorMessage();
+  const PlanLoop apse{{segment({0, 0}, {4, 0}), segment({4, 0}, {4, 3}),
+                       arc({2, 1.5}, 2.5, std::atan2(1.5, 2) * 180 / M_PI,
+                           std::atan2(1.5, -2) * 180 / M_PI),
+                       segment({0, 3}, {0, 0})}};
+  PlanEditor editor(planOf({apse}));
+  ASSERT_TRUE(done(editor.moveWall(1, 2, 0.1), editor));
   const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
   const Eigen::Vector2d corner(4.1, 1.5 + std::sqrt(2.5 * 2.5 - 2.1 * 2.1));
   EXPECT_NEAR((walls[1].end - corner).norm(), 0, 1e-9);
@@ -92,7 +88,7 @@ TEST(PlanEditor, ANicheMovesWithItsWallAndOthersStay)
   plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.15), low, low},  // of wall 1.3
                           {rectangle(-0.2, 1, 0, 2), low, low}}; // of wall 1.4
   PlanEditor editor(plan);
-  ASSERT_TRUE(editor.moveWall(1, 3, 0.2)) << editor.getErrorMessage();
+  ASSERT_TRUE(done(editor.moveWall(1, 3, 0.2), editor));
   const std::vector<PlanNiche>& niches = editor.getFloorplan().rooms[0].niches;
   EXPECT_TRUE(niches[0].boundary.elements[0].start.isApprox(Eigen::Vector2d(1, 3.2)));
   EXPECT_TRUE(niches[1].boundary.elements[0].start.isApprox(Eigen::Vector2d(-0.2, 1)));
@@ -101,13 +97,14 @@ TEST(PlanEditor, ANicheMovesWithItsWallAndOthersStay)
 TEST(PlanEditor, AWallDoesNotMoveIntoAnotherRoomOfItsStorey)
 {
   PlanEditor editor(twoRooms());
-  EXPECT_FALSE(editor.moveWall(1, 2, 0.5)); // x = 4; the other room begins at 4.2
-  EXPECT_EQ(editor.getErrorMessage(), "room 1 would then overlap room 2 by 0.90 m2");
+  EXPECT_EQ(refusal(editor.moveWall(1, 2, 0.5),
+                    editor), // x = 4; the other room begins at 4.2
+            "room 1 would then overlap room 2 by 0.90 m2");
   EXPECT_TRUE(editor.moveWall(1, 2, 0.2)) << "to its face";
   EXPECT_FALSE(editor.moveWall(1, 2, -4.2)) << "to the wall across the room";
   Floorplan plan = twoRooms();
-  plan.rooms[1].floor = sedr_test::slabAt(2.8);
-  plan.rooms[1].ceiling = sedr_test::slabAt(5.3);
+  plan.rooms[1].floor = slabAt(2.8);
+  plan.rooms[1].ceiling = slabAt(5.3);
   EXPECT_TRUE(PlanEditor(plan).moveWall(1, 2, 0.5)) << "above it";
 }
 
@@ -128,8 +125,7 @@ TEST(PlanEditor, WhatIsLeftOfAWallIsNoWallOfMillimetres)
   Floorplan plan = twoRooms(); // faces that were fitted by themselves
   plan.rooms[1].boundary = rectangle(4.2, 0.0038, 6.2, 2.995);
   PlanEditor editor(plan);
-  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
-  expectValid(editor);
+  ASSERT_TRUE(done(editor.merge(1, 2), editor));
   for (const PlanElement& wall : editor.getFloorplan().rooms[0].boundary.elements)
     EXPECT_GT(wall.length(), 0.1);
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6.2 * 3, 0.02);
@@ -137,25 +133,20 @@ TEST(PlanEditor, WhatIsLeftOfAWallIsNoWallOfMillimetres)
 
 TEST(PlanEditor, NichesAndOpeningsTurnWithTheirWall)
 {
-  Floorplan plan;
   const Eigen::Rotation2Dd turn(0.05);
-  PlanLoop room = sedr_test::polygon(
-      {{0, 0}, {5, 0}, turn * Eigen::Vector2d(5, 3), turn * Eigen::Vector2d(0, 3)});
-  plan.rooms = {roomOf(room, 2.5, 4)};
-  PlanNiche niche{rectangle(2, 3, 3, 3.2), plan.rooms[0].floor, plan.rooms[0].floor};
-  for (PlanElement& side : niche.boundary.elements)
-    for (Eigen::Vector2d* end : {&side.start, &side.end})
-      *end = turn * *end;
-  plan.rooms[0].niches = {niche};
-  PlanOpening window;
-  window.walls = {{4, 2}};
-  window.start = turn * Eigen::Vector2d(0.3, 3);
-  window.end = turn * Eigen::Vector2d(1.3, 3);
-  window.bottom = 1;
-  window.top = 2;
-  plan.openings = {window};
+  Floorplan plan = planOf({polygon(
+      {{0, 0}, {5, 0}, turn * Eigen::Vector2d(5, 3), turn * Eigen::Vector2d(0, 3)})});
+  plan.rooms[0].niches = {
+      {placed(rectangle(2, 3, 3, 3.2), 0.05 * 180 / M_PI, {0, 0}), {}, {}}};
+  plan.openings = {{OpeningKind::Window,
+                    {1, 0},
+                    {{1, 2}},
+                    turn * Eigen::Vector2d(0.3, 3),
+                    turn * Eigen::Vector2d(1.3, 3),
+                    1,
+                    2}};
   PlanEditor editor(plan);
-  ASSERT_TRUE(editor.square(4)) << editor.getErrorMessage();
+  ASSERT_TRUE(done(editor.square(1), editor));
   const PlanRoom& squared = editor.getFloorplan().rooms[0];
   for (const PlanElement& side : squared.niches[0].boundary.elements) {
     const double off = squared.boundary.elements[2].distance(side.start);
@@ -169,70 +160,57 @@ TEST(PlanEditor, NichesAndOpeningsTurnWithTheirWall)
 
 TEST(PlanEditor, AJogANotchAndABayAreRemoved)
 {
-  Floorplan plan;
-  plan.rooms = {roomOf(sedr_test::polygon({{0, 0},
-                                           {6, 0},
-                                           {6, 3},
-                                           {4, 3},
-                                           {4, 3.2},
-                                           {3, 3.2},
-                                           {3, 2.8},
-                                           {2, 2.8},
-                                           {2, 3.2},
-                                           {0, 3.2}}),
-                       2.5, 1)};
+  Floorplan plan = planOf({polygon({{0, 0},
+                                    {6, 0},
+                                    {6, 3},
+                                    {4, 3},
+                                    {4, 3.2},
+                                    {3, 3.2},
+                                    {3, 2.8},
+                                    {2, 2.8},
+                                    {2, 3.2},
+                                    {0, 3.2}})});
   PlanEditor jog(plan);
-  ASSERT_TRUE(jog.removeJog(1, 4)) << jog.getErrorMessage(); // x = 4
-  expectValid(jog);
+  ASSERT_TRUE(done(jog.removeJog(1, 4), jog)); // x = 4
   EXPECT_NEAR(jog.getFloorplan().rooms[0].area(), 18.4 - 0.2, 1e-9)
       << "the shorter one moves into the line of the longer, here inwards";
   PlanEditor notch(plan);
-  ASSERT_TRUE(notch.removeJog(1, 7)) << notch.getErrorMessage(); // y = 2.8
-  expectValid(notch);
+  ASSERT_TRUE(done(notch.removeJog(1, 7), notch)); // y = 2.8
   EXPECT_EQ(notch.getFloorplan().rooms[0].boundary.elements.size(), 6u);
   EXPECT_NEAR(notch.getFloorplan().rooms[0].area(), 6 * 3.2 - 0.4, 1e-9);
   EXPECT_EQ(
       notch.getSentence(),
       "wall 1.7 is moved outwards by 0.400 m into the line of wall 1.9; room 1 has "
       "18.80 m2 in place of 18.40 and 6 walls in place of 10, numbered anew");
-  EXPECT_FALSE(notch.removeJog(1, 1));
-  EXPECT_EQ(notch.getErrorMessage(),
+  EXPECT_EQ(refusal(notch.removeJog(1, 1), notch),
+
             "wall 1.1 is neither between two parallel walls nor "
             "the end of a notch or bay");
 }
 
 TEST(PlanEditor, AJogBetweenWallsThatAreNotQuiteParallelIsRemovedToo)
 {
-  Floorplan plan;
-  plan.rooms = {
-      roomOf(sedr_test::polygon({{0, 0}, {5.9, 0}, {6, 4}, {6.3, 4}, {6.3, 6}, {0, 6}}),
-             2.5, 1)};
-  PlanEditor editor(plan);
-  ASSERT_TRUE(editor.removeJog(1, 3)) << editor.getErrorMessage(); // y = 4
-  expectValid(editor);
+  PlanEditor editor(
+      planOf({polygon({{0, 0}, {5.9, 0}, {6, 4}, {6.3, 4}, {6.3, 6}, {0, 6}})}));
+  ASSERT_TRUE(done(editor.removeJog(1, 3), editor)); // y = 4
   EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 4u);
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), (5.9 + 6.05) / 2 * 6, 1e-6);
 }
 
 TEST(PlanEditor, AWallMovedBeyondItsNeighbourTakesItAway)
 {
-  Floorplan plan; // a wedge: the sides meet 1 m above its top of 1 m
-  plan.rooms = {roomOf(sedr_test::polygon({{0, 0}, {3, 0}, {2, 2}, {1, 2}}), 2.5, 1)};
-  PlanEditor editor(plan);
-  ASSERT_TRUE(editor.moveWall(1, 3, 2)) << editor.getErrorMessage();
-  expectValid(editor);
+  PlanEditor editor(
+      planOf({polygon({{0, 0}, {3, 0}, {2, 2}, {1, 2}})})); // a wedge: the sides meet 1
+                                                            // m above its top of 1 m
+  ASSERT_TRUE(done(editor.moveWall(1, 3, 2), editor));
   EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 3u);
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 3 * 3 / 2.0, 1e-9);
 }
 
 TEST(PlanEditor, NearlySquareCornersBecomeSquare)
 {
-  Floorplan plan;
-  plan.rooms = {
-      roomOf(sedr_test::polygon({{0, 0}, {5.2, 0}, {5.1, 3}, {0.1, 3.1}}), 2.5, 4)};
-  PlanEditor editor(plan);
-  ASSERT_TRUE(editor.square(4)) << editor.getErrorMessage();
-  expectValid(editor);
+  PlanEditor editor(planOf({polygon({{0, 0}, {5.2, 0}, {5.1, 3}, {0.1, 3.1}})}));
+  ASSERT_TRUE(done(editor.square(1), editor));
   const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
   ASSERT_EQ(walls.size(), 4u);
   for (std::size_t k = 0; k < 4; ++k)
