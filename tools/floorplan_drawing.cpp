@@ -6,7 +6,7 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/plan_measures.h>
+#include "sedr_filters/src/plan/missing_things.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -62,7 +62,7 @@ main(int argc, char** argv)
   std::string output;
   pcl::sedr::DrawingSettings settings;
   std::string paper = "A3";
-  std::size_t storey = 0;
+  std::uint32_t storey = 0;
   bool is_ceiling = false;
   std::string section;
   std::uint32_t room = 0;
@@ -105,19 +105,20 @@ main(int argc, char** argv)
     }
     if (room > 0) {
       if (!findRoom(drawn, room))
-        throw ToolError("there is no room " + std::to_string(room) + " in the plan");
+        throw ToolError(lacksRoom(drawn, room));
       settings.is_unseen = unseenPlaces(plan, drawn);
       writeWhole(output, drawElevations(drawn, room, {formatOf(output)}, settings)[0]);
       return Done;
     }
     settings.sections = sectionsOf(allDrawings(drawn));
     std::vector<DrawingSheet> sheets = drawingSheets({output}, drawn, settings.view);
-    if (storey > sheets.size())
-      throw ToolError("there is no storey " + std::to_string(storey) +
-                      " in the plan; the uppermost is " +
-                      std::to_string(sheets.size()));
-    if (storey > 0)
-      sheets = {{{output}, sheets[storey - 1].storey, settings.view, {}}};
+    if (storey > 0) {
+      const std::vector<pcl::sedr::PlanStorey> storeys = storeysOf(drawn);
+      const pcl::sedr::PlanStorey* const one = findStorey(storeys, storey);
+      if (!one)
+        throw ToolError(lacksStorey(storeys, storey));
+      sheets = {{{output}, *one, settings.view, {}}};
+    }
     for (const DrawingSheet& sheet : sheets)
       checkDrawingOutput(sheet.paths[0]);
     for (const DrawingSheet& sheet : sheets)

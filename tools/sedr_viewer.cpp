@@ -4,6 +4,8 @@
 #include "tool_error.h"
 #include "viewer/window.h"
 
+#include "sedr_filters/src/plan/missing_things.h"
+
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
@@ -107,9 +109,9 @@ run(const Settings& settings)
   const ViewedResult result = readResult(settings.path, settings.reading);
   for (const auto& note : result.notes)
     say("pcl_sedr_viewer: " + note);
-  if (state.storey != 0 && !result.rules.find(state.storey))
-    throw ToolError("there is no storey " + std::to_string(state.storey) +
-                    ": the plan has " + std::to_string(result.rules.storeys().size()));
+  const auto& storeys = result.rules.storeys();
+  if (state.storey != 0 && !findStorey(storeys, state.storey))
+    throw ToolError(pcl::sedr::lacksStorey(storeys, state.storey));
   if (state.room != 0 && result.rules.boxOf(state.room).isEmpty())
     throw ToolError("there is no room " + std::to_string(state.room) + " in the plan");
   for (const char* layer : {"mesh", "solid", "structure", "plan", "scan"})

@@ -7,6 +7,7 @@
 #include "two_storeys.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <gtest/gtest.h>
 
@@ -221,10 +222,17 @@ TEST_F(StoreyDrawings, ElevationsHatchWhatTheReportBesideThePlanDidNotSee)
 
 TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
 {
-  const ProgramRun result = draw({"--storey", "3"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.err.find("the uppermost is 2"), std::string::npos) << result.err;
+  expectSentence(draw({"--storey", "9"}), 1,
+                 "the plan has no storey 9; there are: 1, 2");
+  pcl::sedr::Floorplan plan = twoStoreys();
+  plan.storeys = storeysOf(plan);
+  plan.rooms.erase(plan.rooms.begin(), plan.rooms.begin() + 2); // the lower storey
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
+  expectSentence(draw({"--storey", "1"}), 1, "the plan has no storey 1; there are: 2");
+  expectSentence(draw({"--elevations", "1"}), 1,
+                 "the plan has no room 1; there are: 3, 4");
   EXPECT_FALSE(has("out.svg"));
+  EXPECT_EQ(draw({"--storey", "2"}).exit_code, 0);
 }
 
 TEST_F(StoreyDrawings, OfHundredsOfRoomsAreMade)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../plan/missing_things.h"
 #include "plan_outlines.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
@@ -131,11 +132,9 @@ PlanEditor::setStorey(std::uint32_t number, double z)
 {
   return apply([&](Floorplan& plan) -> std::string {
     const std::vector<PlanStorey> storeys = storeysOf(plan);
-    const auto storey =
-        std::find_if(storeys.begin(), storeys.end(),
-                     [&](const PlanStorey& s) { return s.number == number; });
-    if (storey == storeys.end())
-      return "the plan has no storey " + std::to_string(number);
+    const PlanStorey* const storey = findStorey(storeys, number);
+    if (!storey)
+      return lacksStorey(storeys, number);
     const double floor = usualFloor(plan, *storey);
     const double by = z - floor;
     const auto isOf = [&](std::uint32_t room) {

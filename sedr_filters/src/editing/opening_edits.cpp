@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../plan/missing_things.h"
 #include "../walls/face_pairs.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
@@ -175,7 +176,7 @@ PlanEditor::setOpening(const std::string& number, const OpeningChange& to)
                   sentenceOf(plan, opening);
       return problem.empty() && fits ? misfitOf(plan, opening) : problem;
     }
-    return "the plan has no opening " + number;
+    return lacksOpening(plan, number);
   });
 }
 
@@ -187,7 +188,7 @@ PlanEditor::closeOpening(const std::string& number)
         plan.openings.begin(), plan.openings.end(),
         [&](const PlanOpening& opening) { return markOf(opening) == number; });
     if (closed == plan.openings.end())
-      return "the plan has no opening " + number;
+      return lacksOpening(plan, number);
     sentence_ = number + ", a " + sentenceOf(plan, *closed) + ", is closed";
     plan.openings.erase(closed);
     return {};

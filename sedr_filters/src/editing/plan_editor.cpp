@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../plan/missing_things.h"
 #include "../plan/plan_check.h"
 #include "../walls/face_pairs.h"
 #include "plan_outlines.h"
@@ -206,8 +207,7 @@ PlanEditor::apply(std::uint32_t room,
 {
   return apply([&](Floorplan& plan) {
     PlanRoom* const found = findRoom(plan, room);
-    return found ? change(plan, *found)
-                 : "the plan has no room " + std::to_string(room);
+    return found ? change(plan, *found) : lacksRoom(plan, room);
   });
 }
 
@@ -241,8 +241,10 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
 {
   return apply(room, [&](Floorplan& plan, PlanRoom& first) -> std::string {
     PlanRoom* const second = findRoom(plan, other);
-    if (!second || room == other)
-      return "the plan has no other room " + std::to_string(other);
+    if (!second)
+      return lacksRoom(plan, other);
+    if (room == other)
+      return nameOf(*second) + " cannot be merged with itself";
     if (!shareHeights(first, *second))
       return "they lie at different heights: " + heightText(first) + ", " +
              heightText(*second);

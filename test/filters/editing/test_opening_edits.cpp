@@ -43,7 +43,8 @@ TEST(PlanEditor, AnOpeningIsSaidToBeAnotherOrClosed)
   plan.openings[0].hinge = OpeningHinge::Start;
   plan.openings[0].swing = 1;
   PlanEditor editor(plan);
-  EXPECT_EQ(refusal(editor.closeOpening("W1"), editor), "the plan has no opening W1");
+  EXPECT_EQ(refusal(editor.closeOpening("W1"), editor),
+            "the plan has no opening W1; there are: D1");
   ASSERT_TRUE(done(editor.setOpening("D1", {OpeningKind::Passage}), editor));
   EXPECT_EQ(
       editor.getSentence(),

@@ -51,7 +51,7 @@ TEST(PlanEditor, ADroppedRoomIsOutside)
   ASSERT_EQ(editor.getFloorplan().openings.size(), 1u);
   EXPECT_EQ(editor.getFloorplan().openings[0].rooms[1], 0u);
   EXPECT_EQ(editor.getFloorplan().openings[0].walls.size(), 1u);
-  EXPECT_EQ(refusal(editor.drop(2), editor), "the plan has no room 2");
+  EXPECT_EQ(refusal(editor.drop(2), editor), "the plan has no room 2; there are: 1");
 }
 
 TEST(PlanEditor, FloorsCeilingsAndStoreysAreSetToAHeight)

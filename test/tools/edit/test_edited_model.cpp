@@ -190,7 +190,7 @@ TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
 {
   const std::string report = bytesOf(in("model/report.json"));
   expectSentence(run(FLOORPLAN_EDIT, {model(), "--merge", "1,7"}), 1,
-                 "no other room 7");
+                 "no room 7; there are: 1, 2");
   expectSentence(run(FLOORPLAN_EDIT, {model(), in("x.json"), "--drop", "1"}), 1,
                  "folder");
   EXPECT_EQ(bytesOf(in("model/report.json")), report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_rules.h"
 
+#include "sedr_filters/src/plan/missing_things.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ PlanRules::isCeiling(StructureLabel label,
 bool
 PlanRules::isInStorey(std::uint32_t storey, std::uint32_t room, double z) const
 {
-  const PlanStorey* wanted = find(storey);
+  const PlanStorey* const wanted = findStorey(storeys_, storey);
   if (!wanted)
     return true;
   const auto known = storey_of_.find(room);
@@ -101,15 +102,6 @@ PlanRules::boxOf(std::uint32_t room) const
 {
   const auto box = box_of_.find(room);
   return box == box_of_.end() ? Eigen::AlignedBox3d() : box->second;
-}
-
-const PlanStorey*
-PlanRules::find(std::uint32_t number) const
-{
-  const auto found =
-      std::find_if(storeys_.begin(), storeys_.end(),
-                   [number](const PlanStorey& s) { return s.number == number; });
-  return found == storeys_.end() ? nullptr : &*found;
 }
 
 } // namespace pcl::sedr::tools

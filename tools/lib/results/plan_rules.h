@@ -50,9 +50,6 @@ public:
   /** @brief Returns the storeys, from the lowest up. */
   const std::vector<PlanStorey>& storeys() const { return storeys_; }
 
-  /** @brief Returns the storey with a number; null for unknown numbers. */
-  const PlanStorey* find(std::uint32_t number) const;
-
 private:
   /** @brief Lowest ceiling by cell, of a storey. */
   using Ceilings = std::unordered_map<CellKey, double>;

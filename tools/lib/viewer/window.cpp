@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/missing_things.h"
 
 #include "bytes/whole_file.h"
 #include "tool_error.h"
@@ -170,7 +171,7 @@ Window::makeKeys()
     keys.push_back({"F" + std::to_string(number),
                     number == 1 ? "to F9: storey 1 to 9 alone, or all again" : "",
                     [this, number] {
-                      if (result_.rules.find(number))
+                      if (findStorey(result_.rules.storeys(), number))
                         state_.storey = state_.storey == number ? 0 : number;
                     }});
   keys.push_back({"Down", "clip 10 cm lower", [this] { moveClipping(-clip_step); }});
