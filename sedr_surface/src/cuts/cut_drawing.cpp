@@ -59,20 +59,22 @@ complete(CutDrawing& drawing, const DrawingSettings& settings)
     }
   }
   std::vector<DimensionRow> rows;
-  const auto addRow = [&](const DimensionChain& chain, double off) {
-    if (chain.places.size() > 1)
-      rows.push_back({chain, off});
-  };
   constexpr double first = 9; // millimetres from the drawing, and to the next row
   constexpr double second = 17;
-  const Eigen::Vector2d low = rooms.min();
-  addRow(chainOf({0, -1}, along, low.y()), first);
-  addRow(chainOf({0, -1}, {low.x(), rooms.max().x()}, low.y()), second);
-  addRow(chainOf({-1, 0}, heights, low.x()), first);
-  addRow(chainOf({-1, 0}, {low.y(), rooms.max().y()}, low.x()), second);
+  const auto addRows = [&](const Eigen::Vector2d& side, const std::set<double>& at,
+                           const std::set<double>& overall, double off) {
+    if (const DimensionChain chain = chainOf(side, at, off); chain.places.size() > 2)
+      rows.push_back({chain, first});
+    if (!rooms.isEmpty())
+      rows.push_back({chainOf(side, overall, off), second});
+  };
+  addRows({0, -1}, along, {rooms.min().x(), rooms.max().x()}, rooms.min().y());
+  addRows({-1, 0}, heights, {rooms.min().y(), rooms.max().y()}, rooms.min().x());
   Eigen::AlignedBox2d all = rooms;
   for (const Drawing::Body& body : drawing.bodies)
     all.extend(sedr::boundsOf(body.area.boundary));
+  for (const PlanLine& line : drawing.lines)
+    all.extend(sedr::boundsOf({{line.element}}));
   drawing.layout = layoutOf(all, spaceOf(rows), settings);
   const PlanFrame& frame = drawing.layout.frame;
   TextPlaces places(drawing.layout.size);

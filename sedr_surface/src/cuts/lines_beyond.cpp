@@ -5,6 +5,8 @@
 #include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
+#include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -13,211 +15,24 @@
 namespace pcl::sedr {
 namespace {
 
-/** @brief Finds what a viewer at a vertical plane sees of a room. Places are along the
- * line, height, and depth behind the plane. */
-class ViewOfRoom {
-public:
-  ViewOfRoom(const TriangleMesh& solid,
-             const SectionLine& line,
-             const std::vector<PlanLoop>& cut)
-      : line_(line)
-      , way_((line.to - line.from).normalized())
-      , cut_(cut)
-  {
-    constexpr double no_area = 1e-9; // such faces are seen from their edge
-    for (const Eigen::Vector3d& p : solid.vertices)
-      places_.push_back(placeOf(p));
-    for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-      const Triangle& corners = solid.triangles[t];
-      const Eigen::Vector3d& a = places_[corners[0]];
-      const Eigen::Vector3d normal =
-          (places_[corners[1]] - a).cross(places_[corners[2]] - a);
-      const double nearest =
-          std::min({a.z(), places_[corners[1]].z(), places_[corners[2]].z()});
-      const double farthest =
-          std::max({a.z(), places_[corners[1]].z(), places_[corners[2]].z()});
-      if (farthest > 0 && std::abs(normal.z()) > no_area)
-        faces_.push_back({corners, normal, nearest});
-    }
-    for (const Face& face : faces_) {
-      const auto [low, high] =
-          std::minmax({places_[face.corners[0]].x(), places_[face.corners[1]].x(),
-                       places_[face.corners[2]].x()});
-      for (long k = stripOf(low); k <= stripOf(high); ++k)
-        strips_[k].push_back(&face);
-    }
-  }
-
-  Eigen::Vector3d placeOf(const Eigen::Vector3d& p) const
-  {
-    const Eigen::Vector2d off = p.head<2>() - line_.from;
-    return {way_.dot(off), p.z(), way_.x() * off.y() - way_.y() * off.x()};
-  }
-
-  /** @brief Adds what is seen of a straight edge behind the plane. */
-  void addEdge(Eigen::Vector3d from,
-               Eigen::Vector3d to,
-               PlanLayer layer,
-               std::vector<PlanLine>& lines) const
-  {
-    constexpr double shortest = 0.01; // metres
-    if (from.z() > to.z())
-      std::swap(from, to);
-    if (to.z() <= 0)
-      return;
-    if (from.z() < 0)
-      from += from.z() / (from.z() - to.z()) * (to - from);
-    const PlanElement edge = segment(from.head<2>(), to.head<2>());
-    const double length = edge.length();
-    if (length < shortest)
-      return;
-    const auto isShown = [&](double s) {
-      const Eigen::Vector3d p = from + s / length * (to - from);
-      return isWithinCut(p.head<2>()) && isSeen(p);
-    };
-    forEachPart(edge, isShown, [&](const PlanElement& part, bool is_shown) {
-      if (is_shown && part.length() > shortest)
-        lines.push_back({part, layer});
-    });
-  }
-
-  /** @brief Adds the edges between elements, and those of curved walls where they turn
-   * away. */
-  void addEdges(const TriangleMesh& solid, std::vector<PlanLine>& lines) const
-  {
-    constexpr double flat = 0.985; // cosine of 10 degrees
-    std::map<Edge, std::size_t> beside;
-    for (std::size_t t = 0; t < solid.triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto edge =
-            std::minmax(solid.triangles[t][k], solid.triangles[t][(k + 1) % 3]);
-        const auto [other, is_first] = beside.emplace(edge, t);
-        if (is_first)
-          continue;
-        const Eigen::Vector3d normal = solid.scaledNormal(t).normalized();
-        const Eigen::Vector3d beyond = solid.scaledNormal(other->second).normalized();
-        const bool is_border = solid.elements[other->second] != solid.elements[t];
-        const bool turns_away =
-            isUpright(edge) && isTowards(normal) != isTowards(beyond);
-        if (!turns_away && (!is_border || normal.dot(beyond) > flat))
-          continue;
-        addEdge(places_[edge.first], places_[edge.second], PlanLayer::Beyond, lines);
-      }
-  }
-
-private:
-  using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-  bool isUpright(const Edge& edge) const
-  {
-    const Eigen::Vector3d way = places_[edge.second] - places_[edge.first];
-    return std::abs(way.y()) > 0.99 * way.norm();
-  }
-
-  /** @brief Returns whether a face looks along the depth; one seen from its edge does
-   * not. */
-  bool isTowards(const Eigen::Vector3d& normal) const
-  {
-    return way_.x() * normal.y() - way_.y() * normal.x() > 1e-6;
-  }
-
-  struct Face {
-    Triangle corners;
-    Eigen::Vector3d normal;
-    double nearest;
-  };
-
-  static long stripOf(double along)
-  {
-    constexpr double width = 0.25; // metres
-    return static_cast<long>(std::floor(along / width));
-  }
-
-  /** @brief Returns whether a place is within the cut, off its outline. */
-  bool isWithinCut(const Eigen::Vector2d& p) const
-  {
-    constexpr double on_cut = 0.005; // metres
-    bool is_within = false;
-    for (const PlanLoop& loop : cut_) {
-      if (loop.distance(p) < on_cut)
-        return false;
-      is_within = is_within != loop.contains(p);
-    }
-    return is_within;
-  }
-
-  /** @brief Returns whether no face lies between a place and the plane. */
-  bool isSeen(const Eigen::Vector3d& p) const
-  {
-    const auto strip = strips_.find(stripOf(p.x()));
-    return strip == strips_.end() ||
-           std::none_of(strip->second.begin(), strip->second.end(),
-                        [&](const Face* face) { return hides(*face, p); });
-  }
-
-  bool hides(const Face& face, const Eigen::Vector3d& p) const
-  {
-    constexpr double before = 0.001; // metres
-    if (face.nearest > p.z() - before)
-      return false;
-    const double sign = face.normal.z() < 0 ? -1 : 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3d& a = places_[face.corners[k]];
-      const Eigen::Vector3d& b = places_[face.corners[(k + 1) % 3]];
-      if (sign *
-              ((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x())) <
-          0)
-        return false;
-    }
-    const double off = face.normal.dot(p - places_[face.corners[0]]);
-    const double depth = p.z() - off / face.normal.z();
-    return depth > 0 && depth < p.z() - before;
-  }
-
-  SectionLine line_;
-  Eigen::Vector2d way_;
-  const std::vector<PlanLoop>& cut_;
-  std::vector<Eigen::Vector3d> places_; ///< of vertices
-  std::vector<Face> faces_;
-  std::map<long, std::vector<const Face*>> strips_; ///< along the line
-};
-
-} // namespace
-
-std::vector<PlanLine>
-linesBeyond(const Floorplan& plan,
-            const PlanRoom& room,
-            const TriangleMesh& solid,
-            const SectionLine& line,
-            const std::vector<PlanLoop>& cut)
+/** @brief Adds the treads and risers of a flight, each an element of its own, the first
+ * one behind `element`. */
+void
+addFlight(const PlanFlight& flight, TriangleMesh& mesh, std::uint32_t& element)
 {
-  constexpr double inside = 0.002; // metres
-  const ViewOfRoom view(solid, line, cut);
-  std::vector<PlanLine> lines;
-  view.addEdges(solid, lines);
-  for (const PlanOpening& opening : plan.openings)
-    for (const OpeningWall& in : opening.walls) {
-      if (in.room != room.id || in.element >= room.boundary.elements.size())
-        continue;
-      const PlanElement& wall = room.boundary.elements[in.element];
-      std::vector<Eigen::Vector3d> corners;
-      for (const auto& [end, z] : {std::pair(opening.start, opening.bottom),
-                                   {opening.end, opening.bottom},
-                                   {opening.end, opening.top},
-                                   {opening.start, opening.top}}) {
-        const auto [face, inward] = faceAt(wall, wall.project(end));
-        const Eigen::Vector2d p = face + inside * inward;
-        corners.push_back(view.placeOf({p.x(), p.y(), z}));
-      }
-      for (std::size_t k = 0; k < corners.size(); ++k)
-        view.addEdge(corners[k], corners[(k + 1) % corners.size()],
-                     opening.kind == OpeningKind::Window ? PlanLayer::Window
-                                                         : PlanLayer::Door,
-                     lines);
-    }
-  return lines;
+  auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (std::size_t k = 0; k < flight.steps(); ++k)
+    for (const std::size_t step : {k, k + 1})
+      for (const Eigen::Vector2d& end : flight.risers[k])
+        mesh.vertices.emplace_back(
+            end.x(), end.y(), flight.bottom + flight.rise * static_cast<double>(step));
+  for (; v + 3 < mesh.vertices.size(); v += 2) {
+    mesh.triangles.insert(mesh.triangles.end(), {{v, v + 1, v + 3}, {v, v + 3, v + 2}});
+    mesh.elements.resize(mesh.triangles.size(), ++element);
+  }
 }
 
+/** @brief Returns the treads and risers of stairs that the plane cuts. */
 std::vector<PlanLine>
 stairsOn(const Floorplan& plan, const SectionLine& line)
 {
@@ -243,6 +58,254 @@ stairsOn(const Floorplan& plan, const SectionLine& line)
         }
       }
   return lines;
+}
+
+/** @brief What a viewer at a vertical plane sees behind it of some surfaces. Places are
+ * along the line, height, and depth behind the plane. */
+class ViewBeyond {
+public:
+  ViewBeyond(const TriangleMesh& mesh,
+             const SectionLine& line,
+             const std::vector<PlanArea>& cut,
+             std::vector<PlanLine> drawn)
+      : mesh_(mesh)
+      , line_(line)
+      , way_((line.to - line.from).normalized())
+      , cut_(cut)
+      , lines_(std::move(drawn))
+  {
+    constexpr double no_area = 1e-9; // such faces are seen from their edge
+    for (const Eigen::Vector3d& p : mesh.vertices)
+      places_.push_back(placeOf(p));
+    for (const Triangle& corners : mesh.triangles) {
+      Eigen::AlignedBox3d box;
+      for (const std::uint32_t corner : corners)
+        box.extend(places_[corner]);
+      const Eigen::Vector3d& a = places_[corners[0]];
+      const Eigen::Vector3d normal =
+          (places_[corners[1]] - a).cross(places_[corners[2]] - a);
+      if (box.max().z() > 0 && std::abs(normal.z()) > no_area)
+        for (long k = tileOf(box.min().x()); k <= tileOf(box.max().x()); ++k)
+          for (long l = tileOf(box.min().y()); l <= tileOf(box.max().y()); ++l)
+            tiles_[{k, l}].push_back({corners, normal, box.min().z()});
+    }
+  }
+
+  Eigen::Vector3d placeOf(const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector2d off = p.head<2>() - line_.from;
+    return {way_.dot(off), p.z(), depthOf(off)};
+  }
+
+  /** @brief Returns how far a way in plan leads away from the viewer. */
+  double depthOf(const Eigen::Vector2d& way) const { return leftOf(way_).dot(way); }
+
+  /** @brief Adds what is seen of a straight edge behind the plane. */
+  void addEdge(Eigen::Vector3d from, Eigen::Vector3d to, PlanLayer layer)
+  {
+    constexpr double shortest = 0.01; // metres
+    if (from.z() > to.z())
+      std::swap(from, to);
+    if (to.z() <= 0)
+      return;
+    if (from.z() < 0)
+      from += from.z() / (from.z() - to.z()) * (to - from);
+    const PlanElement edge = segment(from.head<2>(), to.head<2>());
+    const double length = edge.length();
+    if (length < shortest)
+      return;
+    const auto isShown = [&](double s) {
+      const Eigen::Vector3d p = from + s / length * (to - from);
+      return isSeen(p) && !isCut(p.head<2>());
+    };
+    forEachPart(edge, isShown, [&](const PlanElement& part, bool is_shown) {
+      if (is_shown && part.length() > shortest && !isDrawn(part))
+        lines_.push_back({part, layer});
+    });
+  }
+
+  /** @brief Adds the edges between elements, the ends of open surfaces, and those of
+   * curved walls where they turn away.
+   * @param layer_of an element */
+  template <typename LayerOf>
+  void addEdges(const LayerOf& layer_of)
+  {
+    std::map<Edge, std::vector<std::size_t>> beside;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        beside[std::minmax(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3])]
+            .push_back(t);
+    for (const auto& [edge, triangles] : beside)
+      if (isLine(edge, triangles))
+        addEdge(places_[edge.first], places_[edge.second],
+                layer_of(mesh_.elements[triangles[0]]));
+  }
+
+  std::vector<PlanLine> lines() && { return std::move(lines_); }
+
+private:
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+  struct Face {
+    Triangle corners;
+    Eigen::Vector3d normal;
+    double nearest;
+  };
+
+  bool isLine(const Edge& edge, const std::vector<std::size_t>& triangles) const
+  {
+    constexpr double flat = 0.985; // cosine of 10 degrees
+    if (triangles.size() == 1)
+      return true;
+    const Eigen::Vector3d normal = mesh_.scaledNormal(triangles[0]).normalized();
+    const Eigen::Vector3d beyond = mesh_.scaledNormal(triangles[1]).normalized();
+    const bool is_border = mesh_.elements[triangles[0]] != mesh_.elements[triangles[1]];
+    const bool turns_away = isUpright(edge) && isTowards(normal) != isTowards(beyond);
+    return turns_away || (is_border && normal.dot(beyond) <= flat);
+  }
+
+  bool isUpright(const Edge& edge) const
+  {
+    const Eigen::Vector3d way = places_[edge.second] - places_[edge.first];
+    return std::abs(way.y()) > 0.99 * way.norm();
+  }
+
+  /** @brief Returns whether a face looks along the depth; one seen from its edge does
+   * not. */
+  bool isTowards(const Eigen::Vector3d& normal) const
+  {
+    return depthOf(normal.head<2>()) > 1e-6;
+  }
+
+  static long tileOf(double along)
+  {
+    constexpr double width = 0.25; // metres
+    return static_cast<long>(std::floor(along / width));
+  }
+
+  /** @brief Returns whether a line before this one covers it, as those of both sides of
+   * a stair do. */
+  bool isDrawn(const PlanElement& part) const
+  {
+    constexpr double same = 0.001; // metres
+    return std::any_of(lines_.begin(), lines_.end(), [&](const PlanLine& line) {
+      return line.element.distance(part.start) < same &&
+             line.element.distance(part.end) < same;
+    });
+  }
+
+  /** @brief Returns whether a place is within what is cut, or on its outline. */
+  bool isCut(const Eigen::Vector2d& p) const
+  {
+    constexpr double on_cut = 0.005; // metres
+    return std::any_of(cut_.begin(), cut_.end(), [&](const PlanArea& area) {
+      bool is_within = area.boundary.contains(p);
+      double off = area.boundary.distance(p);
+      for (const PlanLoop& hole : area.holes) {
+        is_within = is_within && !hole.contains(p);
+        off = std::min(off, hole.distance(p));
+      }
+      return is_within || off < on_cut;
+    });
+  }
+
+  /** @brief Returns whether no face lies between a place and the plane. */
+  bool isSeen(const Eigen::Vector3d& p) const
+  {
+    const auto tile = tiles_.find({tileOf(p.x()), tileOf(p.y())});
+    return tile == tiles_.end() ||
+           std::none_of(tile->second.begin(), tile->second.end(),
+                        [&](const Face& face) { return hides(face, p); });
+  }
+
+  bool hides(const Face& face, const Eigen::Vector3d& p) const
+  {
+    constexpr double before = 0.001; // metres
+    if (face.nearest > p.z() - before)
+      return false;
+    const double sign = face.normal.z() < 0 ? -1 : 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector3d& a = places_[face.corners[k]];
+      const Eigen::Vector3d& b = places_[face.corners[(k + 1) % 3]];
+      if (sign *
+              ((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x())) <
+          0)
+        return false;
+    }
+    const double off = face.normal.dot(p - places_[face.corners[0]]);
+    const double depth = p.z() - off / face.normal.z();
+    return depth > 0 && depth < p.z() - before;
+  }
+
+  const TriangleMesh& mesh_;
+  SectionLine line_;
+  Eigen::Vector2d way_;
+  const std::vector<PlanArea>& cut_;
+  std::vector<Eigen::Vector3d> places_; ///< of vertices
+  std::map<std::pair<long, long>, std::vector<Face>> tiles_;
+  std::vector<PlanLine> lines_;
+};
+
+/** @brief Adds the outline of an opening as a wall beside it is seen, from either side;
+ * that of a passage only from its room: one looks through it. */
+void
+addOpening(const PlanOpening& opening, const PlanElement& wall, ViewBeyond& view)
+{
+  constexpr double before = 0.002; // metres, the face of the wall
+  std::vector<Eigen::Vector3d> corners;
+  for (const auto& [end, z] : {std::pair(opening.start, opening.bottom),
+                               {opening.end, opening.bottom},
+                               {opening.end, opening.top},
+                               {opening.start, opening.top}}) {
+    const auto [face, inward] = faceAt(wall, wall.project(end));
+    const bool is_outside = view.depthOf(inward) > 0;
+    if (is_outside && opening.kind == OpeningKind::Passage)
+      return;
+    const Eigen::Vector2d p = face + (is_outside ? -before : before) * inward;
+    corners.push_back(view.placeOf({p.x(), p.y(), z}));
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    view.addEdge(corners[k], corners[(k + 1) % corners.size()],
+                 opening.kind == OpeningKind::Window ? PlanLayer::Window
+                                                     : PlanLayer::Door);
+}
+
+} // namespace
+
+std::vector<PlanLine>
+linesBeyond(const Floorplan& plan,
+            const SectionLine& line,
+            const std::vector<PlanArea>& cut)
+{
+  Floorplan open = plan;
+  open.openings.erase(std::remove_if(open.openings.begin(), open.openings.end(),
+                                     [](const PlanOpening& opening) {
+                                       return opening.kind != OpeningKind::Passage;
+                                     }),
+                      open.openings.end());
+  TriangleMesh mesh;
+  std::vector<SolidElement> elements;
+  std::vector<RoomSolidReport> reports;
+  std::vector<PlanWarning> warnings;
+  SolidParameters parameters;
+  parameters.cut_openings = true;
+  extrudePlan(&open, parameters, {mesh, elements, reports, warnings});
+  if (mesh.empty())
+    return {};
+  auto element = static_cast<std::uint32_t>(elements.size());
+  for (const PlanStair& stair : plan.stairs)
+    for (const PlanFlight& flight : stair.flights)
+      addFlight(flight, mesh, element);
+  ViewBeyond view(mesh, line, cut, stairsOn(plan, line));
+  for (const PlanOpening& opening : plan.openings)
+    for (const OpeningWall& in : opening.walls)
+      if (const PlanRoom* const room = findRoom(plan, in.room);
+          room && in.element < room->boundary.elements.size())
+        addOpening(opening, room->boundary.elements[in.element], view);
+  view.addEdges([&](std::uint32_t element) {
+    return element > elements.size() ? PlanLayer::Stair : PlanLayer::Beyond;
+  });
+  return std::move(view).lines();
 }
 
 } // namespace pcl::sedr

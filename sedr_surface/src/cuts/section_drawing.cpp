@@ -143,6 +143,36 @@ addOpenings(const Floorplan& plan,
   }
 }
 
+/** @brief Adds what is seen behind all bodies and openings of a drawing. What rises
+ * less than half a metre above a room may be in its roof, of which one side was seen.
+ */
+void
+addBeyond(const Floorplan& plan, const SectionLine& line, CutDrawing& drawing)
+{
+  std::vector<PlanArea> cut;
+  for (const Drawing::Body& body : drawing.bodies)
+    cut.push_back(body.area);
+  for (const OpeningGap& gap : drawing.openings)
+    cut.push_back({loopOf({gap.corners.begin(), gap.corners.end()})});
+  std::vector<PlanLine> beyond = linesBeyond(plan, line, cut);
+  std::vector<PlanLoop> building = drawing.outlines;
+  for (const PlanArea& area : cut)
+    building.push_back(area.boundary);
+  const auto isWithin = [&](const Eigen::Vector2d& p, double up) {
+    return std::any_of(building.begin(), building.end(), [&](const PlanLoop& loop) {
+      return loop.contains(p - up * Eigen::Vector2d::UnitY());
+    });
+  };
+  const auto isInRoof = [&](const PlanLine& l) {
+    constexpr double least_rise = 0.5; // metres
+    return isWithin(l.element.start, least_rise) &&
+           isWithin(l.element.end, least_rise) &&
+           !isWithin((l.element.start + l.element.end) / 2, 0);
+  };
+  beyond.erase(std::remove_if(beyond.begin(), beyond.end(), isInRoof), beyond.end());
+  drawing.lines.insert(drawing.lines.begin(), beyond.begin(), beyond.end());
+}
+
 CutDrawing
 sectionOf(const Floorplan& plan,
           const SectionLine& line,
@@ -156,14 +186,7 @@ sectionOf(const Floorplan& plan,
     std::vector<SolidElement> elements;
     extrudeRoom(room, {}, solid, elements);
     rooms.push_back({&room, cutOf(solid, line)});
-    if (rooms.back().loops.empty())
-      continue;
-    for (const PlanLine& beyond :
-         linesBeyond(plan, room, solid, line, rooms.back().loops))
-      drawing.lines.push_back(beyond);
   }
-  for (const PlanLine& step : stairsOn(plan, line))
-    drawing.lines.push_back(step);
   std::vector<PlanArea> bodies;
   std::vector<PlanArea> open;
   addWalls(plan, walls, line, bodies);
@@ -197,6 +220,7 @@ sectionOf(const Floorplan& plan,
                 " m"}});
     }
   drawing.addBodies(bodies, open, false);
+  addBeyond(plan, line, drawing);
   const auto place = [](const Eigen::Vector2d& p) {
     return decimalText(p.x(), 2) + ", " + decimalText(p.y(), 2);
   };
@@ -208,7 +232,8 @@ sectionOf(const Floorplan& plan,
       std::to_string(
           std::count_if(rooms.begin(), rooms.end(),
                         [](const CutRoom& cut) { return !cut.loops.empty(); })),
-      "Dimensions in metres, from face to face. Levels above the usual "
+      "Dimensions in metres, from face to face. Thin: beyond the cut, inner faces. "
+      "Levels above the usual "
       "floor of the lowest storey. Slabs and roofs of which one side was "
       "seen: 0.20 m assumed.",
       false};

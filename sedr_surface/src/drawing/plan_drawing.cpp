@@ -145,7 +145,8 @@ titleTextsOf(const PlanDrawing& drawing)
       (is_floor
            ? "Dimensions in metres, from face to face. Dashed: overhead. h: ceiling "
              "above the floor. ▼: level of the floor."
-           : "Metres. Blue: heights above the floor of the room.") +
+           : "Metres. Blue: heights above the floor of the room. Not drawn: lamps; "
+             "glass of skylights, which are recesses here.") +
           std::string(explains(PlanLayer::Headroom, " Dotted: headroom.")) +
           explains(PlanLayer::Slope, " Arrows lead up.") +
           explains(PlanLayer::Contour, " Thin: contour lines.") +

@@ -63,6 +63,13 @@ TEST(Sections, ShowRoomsHeightsAndLevels)
   EXPECT_FALSE(sectionThroughStairs(plan));
 }
 
+TEST(Sections, OfOneRoomTellItsSizeOnce)
+{
+  const Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
+  const std::string dxf = drawSection(plan, {{0, 2}, {1, 2}}, {DrawingFormat::Dxf})[0];
+  EXPECT_EQ(countOf(dxf, "DIMENSION", "A-ANNO-DIMS"), 2u) << "breadth and height";
+}
+
 TEST(Sections, RunThroughRoundRooms)
 {
   const Floorplan plan{{roomOf(circle({1, 2}, 2), 2.5)}};
@@ -200,7 +207,46 @@ TEST(Sections, StairsHaveTheirSteps)
   const auto line = sectionThroughStairs(plan);
   ASSERT_TRUE(line);
   const std::string dxf = drawSection(plan, *line, {DrawingFormat::Dxf})[0];
-  EXPECT_EQ(countOf(dxf, "LINE", "A-FLOR-STRS"), 3u + 4u) << "treads and risers";
+  EXPECT_EQ(countOf(dxf, "LINE", "A-FLOR-STRS"), 3u + 4u)
+      << "treads and risers; their ends beyond are on the same lines";
+  const std::string side =
+      drawSection(plan, {{0, 0.5}, {1, 0.5}}, {DrawingFormat::Dxf})[0];
+  EXPECT_NEAR(lineLength("A-FLOR-STRS", side), 3 * 0.3 + 2.5, 0.01)
+      << "seen beyond, up to the ceiling";
+  const std::string front =
+      drawSection(plan, {{3, 1}, {3, 2}}, {DrawingFormat::Dxf})[0];
+  EXPECT_NEAR(lineLength("A-FLOR-STRS", front), 3 * 1 + 2 * 2.5, 0.01)
+      << "three edges between risers";
+}
+
+TEST(Sections, ShowRoomsBehindThatTheyDoNotCut)
+{
+  // A hall of 6 m behind a room of 2.5 m: above the slab one sees its outline.
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 5, 4), 2.5), roomOf(rectangle(1, 4.2, 4, 9), 6)}};
+  plan.rooms[1].id = 2;
+  plan.openings = {
+      {OpeningKind::Window, {2, 0}, {{2, 0}}, {2, 4.1}, {3, 4.1}, 4, 5, 0, 0.2}};
+  const SectionLine line{{0, 2}, {1, 2}};
+  std::string dxf = drawSection(plan, line, {DrawingFormat::Dxf})[0];
+  EXPECT_NEAR(lineLength("A-SECT-BYND", dxf), 2 * (6 - 2.7) + 3, 0.02);
+  EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 4u) << "the window in its front";
+  EXPECT_NEAR(outlinedArea(dxf), 5 * 2.5, 1e-3) << "only one is cut";
+  plan.rooms[1].ceiling = slabAt(2.9);
+  EXPECT_EQ(lineLength("A-SECT-BYND", drawSection(plan, line, {DrawingFormat::Dxf})[0]),
+            0)
+      << "it may be in the roof of the first one";
+  plan.rooms[1].ceiling = slabAt(6);
+  // Through a passage one sees the step of its floor, through a door nothing.
+  plan.rooms[1].floor_details = {detailOf(rectangle(1, 6, 4, 9), 0.5)};
+  const double closed = lineLength("A-SECT-BYND", dxf);
+  for (const OpeningKind kind : {OpeningKind::Passage, OpeningKind::Door}) {
+    plan.openings = {
+        {kind, {1, 2}, {{1, 2}, {2, 0}}, {3, 4.1}, {2, 4.1}, 0, 2, 0, 0.2}};
+    dxf = drawSection(plan, line, {DrawingFormat::Dxf})[0];
+    EXPECT_NEAR(lineLength("A-SECT-BYND", dxf),
+                closed + (kind == OpeningKind::Passage ? 1 : 0), 0.02);
+  }
 }
 
 TEST(Elevations, HaveTheAreaOfTheWalls)

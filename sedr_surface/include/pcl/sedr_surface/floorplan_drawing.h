@@ -113,8 +113,8 @@ std::optional<SectionLine> sectionThroughStairs(const Floorplan& plan);
 /** @brief Draws a vertical section through a building, seen towards the left of a line:
  * the cut of the solids of all rooms, exact but for chords of arcs, walls and slabs
  * between them, openings and stairs that it runs through, levels and heights; thin,
- * what is seen behind the cut. Slabs of which one side was seen are drawn 0.2 m thick.
- * The line goes on beyond both ends.
+ * what is seen behind the cut, also of rooms that are not cut. Slabs of which one side
+ * was seen are drawn 0.2 m thick. The line goes on beyond both ends.
  * @return the files; none if the line cuts no room, or has no length */
 std::vector<std::string> drawSection(const Floorplan& plan,
                                      const SectionLine& line,
