@@ -95,6 +95,121 @@ TEST_F(ClassifiedScan, OfLasHasAllPointsInTheirOrderAndPlacesWithClassAndExtraBy
   EXPECT_EQ(ScanFile(in("out.las")).size(), scan.points.size()) << "is read again";
 }
 
+/** A record that describes the points of a LAS file. */
+std::string
+lasRecord(const std::string& user, std::uint16_t id, const std::string& data)
+{
+  std::string bytes(54, '\0');
+  bytes.replace(2, user.size(), user);
+  const std::array<std::uint16_t, 2> numbers{id,
+                                             static_cast<std::uint16_t>(data.size())};
+  bytes.replace(18, 4, reinterpret_cast<const char*>(numbers.data()), 4);
+  return bytes + data;
+}
+
+/** A LAS file with times, returns, flags, a coordinate system and two bytes a point
+ * that nothing describes. */
+std::string
+fullLas(std::uint8_t minor, std::uint8_t format, std::uint16_t record)
+{
+  LasSample las;
+  las.minor = minor;
+  las.format = format;
+  las.record = static_cast<std::uint16_t>(record + 2);
+  las.before = lasRecord("LASF_Projection", 34735, "keys") +
+               lasRecord("LASF_Projection", 2112, "PROJCS[]");
+  for (int i = 0; i < 5000; ++i)
+    las.points.push_back({i, 2 * i, -i});
+  std::string bytes = las.bytes();
+  bytes.replace(6, 2, {17, 0}); // times since 1980, and WKT
+  bytes.replace(100, 1, {2});
+  const std::size_t begin = at<std::uint32_t>(bytes, 96);
+  for (std::size_t k = begin; k < bytes.size(); ++k)
+    if ((k - begin) % las.record >= 12)
+      bytes[k] = static_cast<char>((k * 2654435761U) >> 7);
+  if (minor == 4) { // a record behind the points
+    const std::uint64_t end = bytes.size();
+    bytes.replace(235, 8, reinterpret_cast<const char*>(&end), 8);
+    bytes.replace(243, 1, {1});
+    bytes += "behind";
+  }
+  return bytes;
+}
+
+TEST_F(ClassifiedScan, OfLasKeepsAllThatTheScanHas)
+{
+  const auto tag_of = [](const Eigen::Vector3f& p) {
+    return PointTag{p.z() > -1 ? 2U : 3U, 7, 8};
+  };
+  for (const auto& [minor, format, record] :
+       {std::make_tuple(2, 1, 28), {2, 3, 34}, {4, 6, 30}, {4, 7, 36}}) {
+    const std::string in_bytes = fullLas(minor, format, record);
+    writeFile(in("scan.las"), in_bytes);
+    saveTagged(in("out.las"), JointScan({in("scan.las")}, {}), tag_of, 0);
+    const std::string bytes = bytesOf(in("out.las"));
+    EXPECT_EQ(bytes.substr(0, 94), in_bytes.substr(0, 94)) << "version, encoding";
+    EXPECT_EQ(bytes[104], format);
+    const std::size_t first = at<std::uint16_t>(bytes, 94);
+    const std::size_t described = 54 + 4 + 54 + 8;
+    EXPECT_EQ(bytes.substr(first, described), in_bytes.substr(first, described));
+    EXPECT_EQ(at<std::uint32_t>(bytes, 100), 3u);
+    EXPECT_EQ(bytes[first + described + 54 + 2], 0) << "two bytes without a name";
+    EXPECT_EQ(bytes[first + described + 54 + 3], 2);
+    EXPECT_STREQ(&bytes[first + described + 54 + 192 + 4], "label");
+    const std::size_t size = record + 2;
+    const std::size_t from = at<std::uint32_t>(in_bytes, 96);
+    const std::size_t to = at<std::uint32_t>(bytes, 96);
+    std::array<std::uint64_t, 15> returns{};
+    for (std::size_t i = 0; i < 5000; ++i) {
+      std::string point = in_bytes.substr(from + i * size, size);
+      const int kind = i < 1000 ? 2 : 6;
+      ++returns[std::max(1, point[14] & (format < 6 ? 7 : 15)) - 1];
+      point[format < 6 ? 15 : 16] =
+          static_cast<char>(kind | (format < 6 ? point[15] & 0xe0 : 0));
+      ASSERT_EQ(bytes.substr(to + i * (size + 5), size + 5),
+                point + (kind == 2 ? "\2" : "\3") + std::string("\7\0\10\0", 4))
+          << i;
+    }
+    EXPECT_EQ(at<double>(bytes, 179 + 8), 0) << "least x";
+    EXPECT_NEAR(at<double>(bytes, 179), 4.999, 1e-9);
+    EXPECT_NEAR(at<double>(bytes, 179 + 5 * 8), -4.999, 1e-9) << "least z";
+    if (format < 6) {
+      EXPECT_EQ(at<std::uint32_t>(bytes, 107), 5000u);
+      EXPECT_EQ(at<std::uint32_t>(bytes, 115), returns[1]);
+    }
+    else {
+      EXPECT_EQ((at<std::array<std::uint64_t, 15>>(bytes, 255)), returns);
+      EXPECT_EQ(bytes.substr(at<std::uint64_t>(bytes, 235)), "behind");
+    }
+    // Once more: the tags are replaced; two files: one behind the other.
+    saveTagged(in("again.las"), JointScan({in("out.las")}, {}), tag_of, 0);
+    EXPECT_EQ(bytesOf(in("again.las")), bytes);
+    saveTagged(in("both.las"), JointScan({in("scan.las"), in("scan.las")}, {}), tag_of,
+               0);
+    const std::string both = bytesOf(in("both.las"));
+    EXPECT_EQ(both.substr(to, 10000 * (size + 5)),
+              bytes.substr(to, 5000 * (size + 5)) +
+                  bytes.substr(to, 5000 * (size + 5)));
+    EXPECT_EQ(ScanFile(in("both.las")).size(), 10000u);
+  }
+}
+
+TEST_F(ClassifiedScan, OfLasFilesOfSeveralLayoutsLosesWhatTheyDoNotShare)
+{
+  writeFile(in("a.las"), fullLas(2, 1, 28));
+  writeFile(in("b.las"), fullLas(4, 7, 36));
+  testing::internal::CaptureStderr();
+  saveTagged(
+      in("out.las"), JointScan({in("a.las"), in("b.las")}, {}),
+      [](const Eigen::Vector3f&) { return PointTag{}; }, 0);
+  EXPECT_NE(
+      testing::internal::GetCapturedStderr().find("have another layout than those of"),
+      std::string::npos);
+  const ToolCloud cloud = loadCloud(in("out.las"));
+  ASSERT_EQ(cloud.size(), 10000u);
+  EXPECT_NEAR((*cloud.points)[9999].y, 9.998, 1e-4);
+}
+
 TEST_F(ClassifiedScan, OfPcdHasTheFieldsOfTheScanAndThree)
 {
   const RoomScan scan = scanOf();

@@ -2,6 +2,7 @@
 #include "tagged_scan.h"
 
 #include "bytes/whole_file.h"
+#include "formats/las_output.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -9,7 +10,6 @@
 #include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel_for.h"
-#include <pcl/sedr_filters/structure_label.h>
 
 #include <array>
 #include <cmath>
@@ -23,7 +23,6 @@ namespace pcl::sedr::tools {
 namespace {
 
 constexpr std::array<const char*, 3> tag_names{"label", "room", "owner"};
-constexpr std::size_t rows_at_once = std::size_t{1} << 12;
 
 /** @brief Returns the tags of the points of a piece. */
 std::vector<PointTag>
@@ -32,6 +31,7 @@ tagsOf(const RowSource::Piece& piece,
        const TagOf& tag_of,
        unsigned threads)
 {
+  constexpr std::size_t rows_at_once = std::size_t{1} << 12;
   const PointView points = coordinates.of(piece.rows, piece.size, threads);
   std::vector<PointTag> tags(piece.size);
   parallelFor(piece.size, rows_at_once, threads,
@@ -100,198 +100,184 @@ private:
   std::size_t row_size_ = 0;
 };
 
-/** @brief Writes a LAS file: points first, then the header before them. */
-class LasStream {
+/** @brief Returns what stands before the points if all files are LAS with points of one
+ * layout, with the records of the first; else nothing. */
+LasHead
+commonHead(const JointScan& scan)
+{
+  LasHead common;
+  for (const auto& file : scan.files()) {
+    const InputFile input(file->path());
+    if (!looksLikeLas(input))
+      return {};
+    LasHead head{std::string(input.numberAt<std::uint32_t>(las::begin), '\0')};
+    input.read(0, head.bytes.size(), head.bytes.data());
+    if (common.bytes.empty())
+      common = head;
+    else if (!common.isLike(head)) {
+      warn("the points of '" + file->path() + "' have another layout than those of '" +
+           scan.files()[0]->path() +
+           "': times, returns and coordinate system are not in the classified scan");
+      return {};
+    }
+  }
+  return common;
+}
+
+/** @brief Calls a function with each point as it is stored, its row, and its tag. */
+template <typename Use>
+void
+forEachTagged(const ScanFile& file,
+              const TagOf& tag_of,
+              unsigned threads,
+              std::ostream& stream,
+              const Use& use)
+{
+  RowCoordinates coordinates(file.fields(), file.rowSize());
+  file.forEachStored(
+      0, file.size(), [&](const RowSource::Piece& piece, const Chunk& stored) {
+        const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of, threads);
+        for (std::size_t i = 0; i < piece.size; ++i)
+          use(&stored.rows[i * file.storedRow().size], piece.rows + i * file.rowSize(),
+              tags[i]);
+        return stream.good(); // a full disk is reported when the file is closed
+      });
+}
+
+/** @brief Makes points of LAS of those of other formats. */
+class LasPoints {
 public:
-  LasStream(std::ostream& stream, const ScanFile& first, bool has_colours)
-      : stream_(stream)
-      , has_colours_(has_colours)
+  explicit LasPoints(const JointScan& scan)
+      : has_colours_(scan.hasColours())
   {
+    const ScanFile& first = *scan.files().front();
     Chunk chunk;
     first.forEachStored(0, 1, [&](const RowSource::Piece&, const Chunk& stored) {
       chunk = stored;
       return false;
     });
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const StoredField& field = *first.storedRow().find({"xyz"[axis]});
-      const bool is_whole = field.datatype == pcl::PCLPointField::INT32;
-      const double near = field.valueIn(chunk.rows.data());
-      scale_[axis] = is_whole ? field.scale : finest;
-      shift_[axis] = is_whole              ? field.shift
-                     : std::isfinite(near) ? std::round(near)
-                                           : 0;
+      const double near =
+          first.storedRow().find({"xyz"[axis]})->valueIn(chunk.rows.data());
+      shift_[axis] = std::isfinite(near) ? std::round(near) : 0;
     }
-    writeHeader();
   }
 
-  void add(const Eigen::Vector3d& place,
-           std::uint16_t intensity,
-           const std::array<std::uint8_t, 3>& colour,
-           const PointTag& tag)
+  /** @brief Returns the head of a LAS 1.4 without points. */
+  LasHead head() const
   {
-    if (!place.allFinite()) {
-      ++left_out_;
-      return;
-    }
-    const std::uint32_t room = std::max(tag.room, tag.owner);
-    if (room > std::numeric_limits<std::uint16_t>::max())
-      throw ToolError("room " + std::to_string(room) +
-                      " has no number of 16 bits, as LAS needs: write .pcd");
-    bytes_.clear();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<Eigen::Index>(axis);
-      const double steps = std::round((place[a] - shift_[axis]) / scale_[axis]);
-      constexpr double most = std::numeric_limits<std::int32_t>::max();
-      if (std::abs(steps) > most)
-        throw ToolError(formatText("LAS in steps of %g reaches %.0f units of the scan "
-                                   "from %c = %.0f, but a point is at %.0f: write .pcd",
-                                   scale_[axis], most * scale_[axis], "xyz"[axis],
-                                   shift_[axis], place[a]));
-      put(static_cast<std::int32_t>(steps));
-    }
-    bounds_.extend(place);
-    put(intensity);
-    put(std::uint8_t{0x11}); // the first of one return
-    put(std::uint8_t{0});
-    put(classOf(tag.label));
-    put(std::uint8_t{0});        // user data
-    put(std::array<char, 12>{}); // angle, source and time
-    for (const std::uint8_t channel : colour)
-      if (has_colours_)
-        put(static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
-    put(static_cast<std::uint8_t>(tag.label));
-    put(static_cast<std::uint16_t>(tag.room));
-    put(static_cast<std::uint16_t>(tag.owner));
-    stream_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-    ++points_;
+    LasHead head{std::string(las::header_of_1_4, '\0')};
+    head.bytes.replace(0, 4, "LASF");
+    head.bytes.replace(las::software, 4, "SEDR");
+    head.set(las::encoding, std::uint16_t{16}); // a coordinate system is told by WKT
+    head.set(las::version, std::array<std::uint8_t, 2>{1, las::newest_minor});
+    head.set(las::header_size, std::uint16_t{las::header_of_1_4});
+    head.set(las::begin, std::uint32_t{las::header_of_1_4});
+    const unsigned format = has_colours_ ? 7 : 6;
+    head.set(las::format, static_cast<std::uint8_t>(format));
+    head.set(las::record, static_cast<std::uint16_t>(las::formats[format].record));
+    head.set(las::scale, std::array<double, 3>{finest, finest, finest});
+    head.set(las::shift, shift_);
+    return head;
   }
 
-  /** @brief Writes the header again, which counts the points.
-   * @return how many were left out */
-  std::size_t finish()
+  /** @brief Returns the bytes of a point, empty for one without coordinates. */
+  const std::string&
+  of(const ScanFile& file, const std::uint8_t* stored, const std::uint8_t* row)
   {
-    stream_.seekp(0);
-    writeHeader();
-    return left_out_;
+    point_.clear();
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] = file.storedRow().find({"xyz"[axis]})->valueIn(stored);
+    if (!place.allFinite())
+      return point_;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      put(stepsTo(place[static_cast<Eigen::Index>(axis)], axis));
+    const StoredField* const intensity = file.storedRow().find("intensity");
+    const bool has_intensity =
+        intensity && (intensity->datatype == StoredField::UINT16 ||
+                      intensity->datatype == StoredField::UINT8);
+    put(static_cast<std::uint16_t>(has_intensity ? intensity->valueIn(stored) : 0));
+    put(std::uint8_t{0x11});     // the first of one return
+    put(std::array<char, 15>{}); // flags, class, user data, angle, source and time
+    const auto* const colour = file.colour();
+    for (std::size_t k = 3; k-- > 0 && has_colours_;) { // blue is the first byte
+      const unsigned channel = colour ? row[colour->offset + k] : 0;
+      put(static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
+    }
+    return point_;
   }
 
 private:
   static constexpr double finest = 0.0001;
-  static constexpr std::uint16_t header_size = 375;
-  static constexpr std::uint16_t descriptor_size = 192;
-  static constexpr std::uint16_t all_descriptors = tag_names.size() * descriptor_size;
-  static constexpr std::uint32_t points_begin = header_size + 54 + all_descriptors;
 
-  static std::uint8_t classOf(std::uint32_t label)
+  std::int32_t stepsTo(double place, std::size_t axis) const
   {
-    const auto is = [label](StructureLabel l) {
-      return label == static_cast<std::uint32_t>(l);
-    };
-    const bool is_building = is(StructureLabel::Wall) || is(StructureLabel::Ceiling) ||
-                             is(StructureLabel::Detail) || is(StructureLabel::Column);
-    return is(StructureLabel::Floor) ? 2 : is_building ? 6 : 1;
+    const double steps = std::round((place - shift_[axis]) / finest);
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    if (std::abs(steps) > most)
+      throw ToolError(formatText("LAS in steps of %g reaches %.0f units of the scan "
+                                 "from %c = %.0f, but a point is at %.0f: write .pcd",
+                                 finest, most * finest, "xyz"[axis], shift_[axis],
+                                 place));
+    return static_cast<std::int32_t>(steps);
   }
 
   template <typename T>
   void put(const T& value)
   {
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    point_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
 
-  void putText(const std::string& text, std::size_t size)
-  {
-    bytes_ += text;
-    bytes_.append(size - text.size(), '\0');
-  }
-
-  void writeHeader()
-  {
-    bytes_.clear();
-    putText("LASF", 4 + 2);
-    put(std::uint16_t{16}); // coordinate systems are told by WKT, if at all
-    putText("", 16);
-    put(std::array<std::uint8_t, 2>{1, 4});
-    putText("", 32);
-    putText("SEDR", 32 + 4);
-    put(header_size);
-    put(points_begin);
-    put(std::uint32_t{1}); // records before the points
-    put(std::uint8_t(has_colours_ ? 7 : 6));
-    put(std::uint16_t(has_colours_ ? 36 + 5 : 30 + 5));
-    putText("", 6 * 4); // counts of LAS 1.3
-    for (const auto& numbers : {scale_, shift_})
-      for (const double number : numbers)
-        put(number);
-    for (int axis = 0; axis < 3; ++axis) {
-      put(points_ > 0 ? bounds_.max()[axis] : 0.0);
-      put(points_ > 0 ? bounds_.min()[axis] : 0.0);
-    }
-    putText("", 8 + 8 + 4); // waveforms, records behind the points
-    put(points_);
-    put(points_); // first returns
-    putText("", 14 * 8);
-    putText("", 2);
-    putText("LASF_Spec", 16);
-    put(std::uint16_t{4}); // extra bytes
-    put(all_descriptors);
-    putText("", 32);
-    const std::array<const char*, 3> texts{"1ceil 2floor 3wall 4detail 5col",
-                                           "room of the label, 0 none",
-                                           "room around the point, 0 none"};
-    for (std::size_t k = 0; k < tag_names.size(); ++k) {
-      putText("", 2);
-      put(std::uint8_t(k == 0 ? 1 : 3)); // 8 or 16 bits without sign
-      putText("", 1);
-      putText(tag_names[k], 32);
-      putText("", 4 + 5 * 24);
-      putText(texts[k], 32);
-    }
-    stream_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-  }
-
-  std::ostream& stream_;
   bool has_colours_;
-  std::array<double, 3> scale_{};
   std::array<double, 3> shift_{};
-  Eigen::AlignedBox3d bounds_;
-  std::uint64_t points_ = 0;
-  std::size_t left_out_ = 0;
-  std::string bytes_;
+  std::string point_;
 };
 
-/** @brief Appends the points of a file. */
+/** @brief Writes points that are LAS already. */
 void
-addPoints(const ScanFile& scan,
-          const TagOf& tag_of,
-          unsigned threads,
-          std::ostream& stream,
-          LasStream& las)
+writeLas(const JointScan& scan,
+         const TagOf& tag_of,
+         unsigned threads,
+         const LasHead& head,
+         std::ostream& stream)
 {
-  const StoredRow& row = scan.storedRow();
-  const auto* const colour = scan.colour();
-  const StoredField* const intensity = row.find("intensity");
-  const bool has_intensity = intensity && (intensity->datatype == StoredField::UINT16 ||
-                                           intensity->datatype == StoredField::UINT8);
-  RowCoordinates coordinates(scan.fields(), scan.rowSize());
-  scan.forEachStored(
-      0, scan.size(), [&](const RowSource::Piece& piece, const Chunk& stored) {
-        const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of, threads);
-        for (std::size_t i = 0; i < piece.size; ++i) {
-          const std::uint8_t* const own = &stored.rows[i * row.size];
-          Eigen::Vector3d place;
-          for (int axis = 0; axis < 3; ++axis)
-            place[axis] = row.find({"xyz"[axis]})->valueIn(own);
-          std::array<std::uint8_t, 3> rgb{};
-          if (colour) // blue is the first byte
-            for (std::size_t k = 0; k < 3; ++k)
-              rgb[k] = piece.rows[i * scan.rowSize() + colour->offset + 2 - k];
-          las.add(
-              place,
-              static_cast<std::uint16_t>(has_intensity ? intensity->valueIn(own) : 0),
-              rgb, tags[i]);
-        }
-        return stream.good(); // a full disk is reported when the file is closed
-      });
+  LasOutput output(stream, head);
+  for (const auto& file : scan.files())
+    forEachTagged(*file, tag_of, threads, stream,
+                  [&](const std::uint8_t* stored, const std::uint8_t*,
+                      const PointTag& tag) { output.add(stored, tag); });
+  const ScanFile& first = *scan.files().front();
+  output.addRest(InputFile(first.path()),
+                 head.bytes.size() + first.size() * first.storedRow().size);
+  output.finish();
+}
+
+void
+saveLas(const std::string& path,
+        const JointScan& scan,
+        const TagOf& tag_of,
+        unsigned threads,
+        std::ostream& stream)
+{
+  if (const LasHead head = commonHead(scan); !head.bytes.empty())
+    return writeLas(scan, tag_of, threads, head, stream);
+  LasPoints points(scan);
+  LasOutput output(stream, points.head());
+  std::size_t left_out = 0;
+  for (const auto& file : scan.files())
+    forEachTagged(
+        *file, tag_of, threads, stream,
+        [&](const std::uint8_t* stored, const std::uint8_t* row, const PointTag& tag) {
+          const std::string& point = points.of(*file, stored, row);
+          left_out += point.empty() ? 1 : 0;
+          if (!point.empty())
+            output.add(reinterpret_cast<const std::uint8_t*>(point.data()), tag);
+        });
+  output.finish();
+  if (left_out > 0)
+    warn(std::to_string(left_out) + " points without coordinates are not in '" + path +
+         "'");
 }
 
 } // namespace
@@ -311,12 +297,7 @@ saveTagged(const std::string& path,
   if (hasExtension(path, ".pcd"))
     return saveScan(path, TaggedRows(scan, tag_of, threads), *scan.files().front());
   writeWhole(path, [&](std::ostream& stream) {
-    LasStream las(stream, *scan.files().front(), scan.hasColours());
-    for (const auto& file : scan.files())
-      addPoints(*file, tag_of, threads, stream, las);
-    if (const std::size_t left_out = las.finish(); left_out > 0)
-      warn(std::to_string(left_out) + " points without coordinates are not in '" +
-           path + "'");
+    saveLas(path, scan, tag_of, threads, stream);
   });
 }
 

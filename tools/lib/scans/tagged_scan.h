@@ -26,11 +26,12 @@ void checkTaggedOutput(const std::string& path);
 /** @brief Writes all points of a scan in their order, each with its tag, while reading
  * it piece by piece; completely or not at all.
  *
- * PCD: all fields of the rows, then `label`, `room` and `owner`. LAS 1.4 (format 6, 7
- * with colours): the coordinates of the file itself, exactly if it is LAS, else to 0.1
- * mm; the class of ASPRS (2 ground, 6 building, 1 else), and label, room and owner as
- * extra bytes. Points that are not finite, which LAS does not know, are left out of it,
- * with a warning. Throws ToolError on failure.
+ * PCD: all fields of the rows, then `label`, `room` and `owner`. LAS: the class of
+ * ASPRS (2 ground, 6 building, 1 else), and label, room and owner as extra bytes. A
+ * scan that is LAS keeps all else: version, format, times, returns, flags, coordinate
+ * system. Others become LAS 1.4 (format 6, 7 with colours), to 0.1 mm, without points
+ * that are not finite, which LAS does not know, with a warning. Throws ToolError on
+ * failure.
  * @param threads 0: all processors */
 void saveTagged(const std::string& path,
                 const JointScan& scan,

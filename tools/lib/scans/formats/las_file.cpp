@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "las_layout.h"
 #include "record_reader.h"
 #include "scan_formats.h"
 #include "tool_error.h"
@@ -9,38 +10,6 @@
 namespace pcl::sedr::tools {
 
 namespace {
-
-/** @brief A point format: record size and offset of the colour. */
-struct LasFormat {
-  std::size_t record;
-  std::size_t colour; ///< 0: none
-};
-
-constexpr std::array<LasFormat, 11> las_formats{{{20, 0},
-                                                 {28, 0},
-                                                 {26, 20},
-                                                 {34, 28},
-                                                 {57, 0},
-                                                 {63, 28},
-                                                 {30, 0},
-                                                 {36, 30},
-                                                 {38, 30},
-                                                 {59, 0},
-                                                 {67, 30}}};
-
-// Offsets of numbers in the header.
-constexpr std::size_t version_place = 24;
-constexpr std::size_t header_size_place = 94;
-constexpr std::size_t begin_place = 96;
-constexpr std::size_t format_place = 104;
-constexpr std::size_t record_place = 105;
-constexpr std::size_t points_place = 107;
-constexpr std::size_t scale_place = 131;
-constexpr std::size_t shift_place = 155;
-constexpr std::size_t waveforms_place = 227;     // LAS 1.3
-constexpr std::size_t after_place = 235;         // LAS 1.4: records after the points
-constexpr std::size_t records_after_place = 243; // how many these are
-constexpr std::size_t points_place_of_1_4 = 247;
 
 std::string
 number(std::uint64_t value)
@@ -63,8 +32,6 @@ public:
   Records records;
 
 private:
-  static constexpr unsigned newest_minor = 4;
-
   [[noreturn]] void refuse(const std::string& reason) const
   {
     throw ToolError("cannot read '" + file_.path() + "' as LAS: " + reason);
@@ -74,17 +41,17 @@ private:
   void readVersion()
   {
     constexpr std::size_t min_header = 227; // of LAS 1.0 to 1.2
-    constexpr std::size_t header_of_1_4 = 375;
     if (file_.size() < min_header)
       refuse("the file is cut off, it has " + number(file_.size()) + " bytes of the " +
              number(min_header) + " of its header");
-    const auto version = file_.numberAt<std::array<std::uint8_t, 2>>(version_place);
+    const auto version = file_.numberAt<std::array<std::uint8_t, 2>>(las::version);
     minor_ = version[1];
-    if (version[0] != 1 || minor_ > newest_minor)
+    if (version[0] != 1 || minor_ > las::newest_minor)
       refuse("it is of version " + number(version[0]) + "." + number(minor_) +
              ", known are 1.0 to 1.4");
-    const std::size_t needed = minor_ == newest_minor ? header_of_1_4 : min_header;
-    size_ = file_.numberAt<std::uint16_t>(header_size_place);
+    const std::size_t needed =
+        minor_ == las::newest_minor ? las::header_of_1_4 : min_header;
+    size_ = file_.numberAt<std::uint16_t>(las::header_size);
     if (size_ < needed || size_ > file_.size())
       refuse("its header is said to have " + number(size_) + " bytes, LAS 1." +
              number(minor_) + " asks for " + number(needed) + " and the file has " +
@@ -96,24 +63,24 @@ private:
   void readPlace()
   {
     constexpr unsigned compressed_bits = 0xc0;
-    const unsigned format = file_.numberAt<std::uint8_t>(format_place);
+    const unsigned format = file_.numberAt<std::uint8_t>(las::format);
     if ((format & compressed_bits) != 0)
       throw ToolError("'" + file_.path() +
                       "' is LAZ, which is not read here: 'pdal translate IN.laz "
                       "OUT.las' or 'laszip -i IN.laz -o OUT.las' makes LAS of it");
-    if (format >= las_formats.size())
+    if (format >= las::formats.size())
       refuse("its points are of the format " + number(format) + ", known are 0 to " +
-             number(las_formats.size() - 1));
-    format_ = las_formats[format];
-    record_ = file_.numberAt<std::uint16_t>(record_place);
+             number(las::formats.size() - 1));
+    format_ = las::formats[format];
+    record_ = file_.numberAt<std::uint16_t>(las::record);
     if (record_ < format_.record)
       refuse("its points are said to have " + number(record_) + " bytes, format " +
              number(format) + " takes " + number(format_.record));
-    records.points = file_.numberAt<std::uint32_t>(points_place);
-    if (minor_ == newest_minor)
-      if (const auto many = file_.numberAt<std::uint64_t>(points_place_of_1_4))
+    records.points = file_.numberAt<std::uint32_t>(las::points);
+    if (minor_ == las::newest_minor)
+      if (const auto many = file_.numberAt<std::uint64_t>(las::many_points))
         records.points = many;
-    records.begin = file_.numberAt<std::uint32_t>(begin_place);
+    records.begin = file_.numberAt<std::uint32_t>(las::begin);
     if (records.begin < size_ || records.begin > file_.size())
       refuse("its points are said to begin at byte " + number(records.begin) +
              ", the header has " + number(size_) + " bytes and the file " +
@@ -124,10 +91,10 @@ private:
           start > records.begin)
         records.end = std::min(records.end, start);
     };
-    if (minor_ >= 3 && size_ >= waveforms_place + sizeof(std::uint64_t))
-      endAt(waveforms_place);
-    if (minor_ >= 4 && file_.numberAt<std::uint32_t>(records_after_place) > 0)
-      endAt(after_place);
+    if (minor_ >= 3 && size_ >= las::waveforms + sizeof(std::uint64_t))
+      endAt(las::waveforms);
+    if (minor_ >= 4 && file_.numberAt<std::uint32_t>(las::records_after) > 0)
+      endAt(las::after);
   }
 
   /** @brief Returns whether any of 10,000 points has a colour above 255. Some programs
@@ -156,8 +123,8 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string name(1, "xyz"[axis]);
       StoredField& field = row.add(name, pcl::PCLPointField::INT32);
-      field.scale = file_.numberAt<double>(scale_place + axis * sizeof(double));
-      field.shift = file_.numberAt<double>(shift_place + axis * sizeof(double));
+      field.scale = file_.numberAt<double>(las::scale + axis * sizeof(double));
+      field.shift = file_.numberAt<double>(las::shift + axis * sizeof(double));
       if (!(field.scale > 0) || !std::isfinite(field.scale) ||
           !std::isfinite(field.shift))
         refuse("the scale of " + name + " is " + std::to_string(field.scale) +
@@ -180,7 +147,7 @@ private:
   unsigned minor_ = 0;     ///< version 1.minor
   std::size_t size_ = 0;   ///< bytes of the header
   std::size_t record_ = 0; ///< bytes of a point
-  LasFormat format_{};
+  las::Format format_{};
 };
 
 } // namespace
