@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scan.h"
 #include "simulator/scene/scenes.h"
+#include "surface/drawing/drawn_plans.h"
 
+#include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +94,40 @@ protected:
     EXPECT_GE(figures.mesh_to_truth->within_5cm, 0.98);
   }
 
+  /** @brief Expects sections as long and as high as the plan is there, and elevations
+   * as large as the walls of the solid, to a millimetre. */
+  void expectDrawings() const
+  {
+    using namespace pcl::sedr;
+    const auto plan = chain_.getFloorplan();
+    const auto drawn = {DrawingFormat::Dxf};
+    const SectionLine line = sectionThroughRooms(*plan);
+    constexpr double step = 0.0005; // metres
+    double area = 0;
+    double length = 0;
+    for (double s = -50; s < 50; s += step) {
+      const Eigen::Vector2d p = line.from + s * (line.to - line.from).normalized();
+      for (const PlanRoom& room : plan->rooms)
+        if (room.contains(p)) {
+          area += step * (room.ceilingAt(p) - room.floorAt(p));
+          length += step;
+        }
+    }
+    EXPECT_NEAR(sedr_test::outlinedArea(drawSection(*plan, line, drawn)[0]), area,
+                0.001 * length);
+    for (const PlanRoom& room : plan->rooms) {
+      TriangleMesh solid;
+      std::vector<SolidElement> elements;
+      extrudeRoom(room, {}, solid, elements);
+      double walls = 0;
+      for (std::size_t t = 0; t < solid.triangles.size(); ++t)
+        if (elements[solid.elements[t] - 1].name.find("_wall_") != std::string::npos)
+          walls += solid.scaledNormal(t).norm() / 2;
+      EXPECT_NEAR(sedr_test::outlinedArea(drawElevations(*plan, room.id, drawn)[0]),
+                  walls, 0.001 * room.boundary.length());
+    }
+  }
+
   Reconstruction chain_;
 };
 
@@ -103,6 +140,7 @@ TEST_P(SimulatedScene, has_the_plan_the_structure_and_the_closed_mesh_that_were_
   expectPlan();
   expectStructure();
   expectMesh();
+  expectDrawings();
 }
 
 INSTANTIATE_TEST_SUITE_P(

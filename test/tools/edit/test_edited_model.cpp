@@ -5,11 +5,13 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
+#include <boost/algorithm/string.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace {
 
@@ -81,9 +83,24 @@ TEST_F(EditedModel, AllFilesThatFollowFromThePlanAreOfTheNewOneAndAgree)
   EXPECT_FALSE(has("floorplan_1.svg")) << "of a plan before";
   EXPECT_FALSE(has("report.html")) << "there was none";
   EXPECT_EQ(bytesOf(in("model/mesh.ply")), mesh);
-  const Json room = reportNow()["rooms"][1];
-  EXPECT_NEAR(room["area"], 12, 1e-6);
-  EXPECT_NEAR(room["solid"]["volume"], 12 * 2.5, 1e-6);
+  const Json rooms = reportNow()["rooms"];
+  EXPECT_NEAR(rooms[1]["area"], 12, 1e-6);
+  EXPECT_NEAR(rooms[1]["solid"]["volume"], 12 * 2.5, 1e-6);
+  std::istringstream table(bytesOf(in("model/rooms.csv")));
+  std::string row;
+  std::getline(table, row);
+  EXPECT_EQ(row.find("room,name,storey,area_m2,"), 0u);
+  for (const Json& room : rooms) {
+    std::getline(table, row);
+    std::vector<std::string> fields;
+    boost::split(fields, row, boost::is_any_of(","));
+    for (const auto& [column, name] : {std::pair(0, "id"),
+                                       {3, "area"},
+                                       {6, "perimeter"},
+                                       {7, "height"},
+                                       {10, "volume"}})
+      EXPECT_NEAR(std::stod(fields.at(column)), room[name], 0.0006) << name;
+  }
   EXPECT_NE(bytesOf(in("model/rooms.csv")).find("2,Küche,storey 1,12.000,"),
             std::string::npos);
   EXPECT_NE(bytesOf(in("model/model.ifc")).find("12."), std::string::npos);

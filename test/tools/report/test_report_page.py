@@ -60,8 +60,8 @@ def sample_report():
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
             "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
             "noise": [{"rooms": [1, 2], "measured": 0.0052, "correlation": 0.12, "stretches": 9}],
-            "warnings": [{"kind": "stage", "room": 2, "wall": 3, "at": [5, 1], "values": [1], "text": "wall 2.3: second"},
-                         {"kind": "stage", "room": 1, "wall": 0, "at": [1, 2], "values": [2], "text": "room 1: <b>a part</b>"}],
+            "warnings": [{"kind": "stage", "room": 2, "wall": 3, "at": [4.75, 0.5], "values": [1], "text": "wall 2.3: second"},
+                         {"kind": "stage", "room": 1, "wall": 0, "at": [0.75, 2.5], "values": [2], "text": "room 1: <b>a part</b>"}],
             "unlikely": [{"kind": "no_door", "room": 1, "wall": 0, "at": None, "values": [12], "text": "room 1: no door"}]}
 
 
@@ -348,14 +348,14 @@ class ReportInABrowser(BrowserCase):
                             " const sheet = mark.parentElement.getBoundingClientRect(), box = mark.getBoundingClientRect();"
                             " return [mark.textContent, mark.title, box.x + box.width / 2 - sheet.x, box.y + box.height / 2 - sheet.y]; })")
         self.assertEqual([mark[:2] for mark in marks], [["1", "room 1: <b>a part</b>"], ["2", "wall 2.3: second"]])
-        # From (1, 2) to (5, 1): four metres to the right and one down, but for steps off texts.
-        self.assertAlmostEqual((marks[1][2] - marks[0][2]) / (marks[1][3] - marks[0][3]), 4, delta=0.1)
-        # The wall that was scanned, y = 3, is on the slice, right above the first place.
+        # From (0.75, 2.5) to (4.75, 0.5), where no text is: twice as far to the right as down.
+        self.assertAlmostEqual((marks[1][2] - marks[0][2]) / (marks[1][3] - marks[0][3]), 2, delta=0.005)
+        # The wall that was scanned, y = 3, is on the slice, half a metre above the first place.
         dots = browser.run("""(() => { const canvas = document.querySelector('#plan canvas'), pen = canvas.getContext('2d');
           const box = canvas.getBoundingClientRect(), [dx, dy] = [%s, %s];
           const seen = (x, y) => pen.getImageData(x * canvas.width / box.width - 8, y * canvas.height / box.height - 8, 16, 16).data
             .some(value => value > 0);
-          return [seen(dx, dy), seen(dx, dy + %s)]; })()""" % (marks[0][2], marks[0][3], marks[0][3] - marks[1][3]))
+          return [seen(dx, dy), seen(dx, dy + %s)]; })()""" % (marks[0][2], marks[0][3], (marks[0][3] - marks[1][3]) / 4))
         self.assertEqual(dots, [False, True])
 
     def test_histogram_has_a_bar_a_bin_and_one_beyond(self):
