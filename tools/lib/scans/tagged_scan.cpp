@@ -124,26 +124,6 @@ commonHead(const JointScan& scan)
   return common;
 }
 
-/** @brief Calls a function with each point as it is stored, its row, and its tag. */
-template <typename Use>
-void
-forEachTagged(const ScanFile& file,
-              const TagOf& tag_of,
-              unsigned threads,
-              std::ostream& stream,
-              const Use& use)
-{
-  RowCoordinates coordinates(file.fields(), file.rowSize());
-  file.forEachStored(
-      0, file.size(), [&](const RowSource::Piece& piece, const Chunk& stored) {
-        const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of, threads);
-        for (std::size_t i = 0; i < piece.size; ++i)
-          use(&stored.rows[i * file.storedRow().size], piece.rows + i * file.rowSize(),
-              tags[i]);
-        return stream.good(); // a full disk is reported when the file is closed
-      });
-}
-
 /** @brief Makes points of LAS of those of other formats. */
 class LasPoints {
 public:
@@ -175,14 +155,14 @@ public:
     head.set(las::begin, std::uint32_t{las::header_of_1_4});
     const unsigned format = has_colours_ ? 7 : 6;
     head.set(las::format, static_cast<std::uint8_t>(format));
-    head.set(las::record, static_cast<std::uint16_t>(las::formats[format].record));
+    head.set(las::record, static_cast<std::uint16_t>(las::sizes[format]));
     head.set(las::scale, std::array<double, 3>{finest, finest, finest});
     head.set(las::shift, shift_);
     return head;
   }
 
-  /** @brief Returns the bytes of a point, empty for one without coordinates. */
-  const std::string&
+  /** @brief Returns the bytes of a point, null for one without coordinates. */
+  const std::uint8_t*
   of(const ScanFile& file, const std::uint8_t* stored, const std::uint8_t* row)
   {
     point_.clear();
@@ -190,7 +170,7 @@ public:
     for (int axis = 0; axis < 3; ++axis)
       place[axis] = file.storedRow().find({"xyz"[axis]})->valueIn(stored);
     if (!place.allFinite())
-      return point_;
+      return nullptr;
     for (std::size_t axis = 0; axis < 3; ++axis)
       put(stepsTo(place[static_cast<Eigen::Index>(axis)], axis));
     const StoredField* const intensity = file.storedRow().find("intensity");
@@ -205,7 +185,7 @@ public:
       const unsigned channel = colour ? row[colour->offset + k] : 0;
       put(static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
     }
-    return point_;
+    return reinterpret_cast<const std::uint8_t*>(point_.data());
   }
 
 private:
@@ -234,25 +214,6 @@ private:
   std::string point_;
 };
 
-/** @brief Writes points that are LAS already. */
-void
-writeLas(const JointScan& scan,
-         const TagOf& tag_of,
-         unsigned threads,
-         const LasHead& head,
-         std::ostream& stream)
-{
-  LasOutput output(stream, head);
-  for (const auto& file : scan.files())
-    forEachTagged(*file, tag_of, threads, stream,
-                  [&](const std::uint8_t* stored, const std::uint8_t*,
-                      const PointTag& tag) { output.add(stored, tag); });
-  const ScanFile& first = *scan.files().front();
-  output.addRest(InputFile(first.path()),
-                 head.bytes.size() + first.size() * first.storedRow().size);
-  output.finish();
-}
-
 void
 saveLas(const std::string& path,
         const JointScan& scan,
@@ -260,20 +221,31 @@ saveLas(const std::string& path,
         unsigned threads,
         std::ostream& stream)
 {
-  if (const LasHead head = commonHead(scan); !head.bytes.empty())
-    return writeLas(scan, tag_of, threads, head, stream);
+  const LasHead common = commonHead(scan);
+  const bool is_las = !common.bytes.empty();
   LasPoints points(scan);
-  LasOutput output(stream, points.head());
+  LasOutput output(stream, is_las ? common : points.head());
   std::size_t left_out = 0;
-  for (const auto& file : scan.files())
-    forEachTagged(
-        *file, tag_of, threads, stream,
-        [&](const std::uint8_t* stored, const std::uint8_t* row, const PointTag& tag) {
-          const std::string& point = points.of(*file, stored, row);
-          left_out += point.empty() ? 1 : 0;
-          if (!point.empty())
-            output.add(reinterpret_cast<const std::uint8_t*>(point.data()), tag);
-        });
+  for (const auto& file : scan.files()) {
+    RowCoordinates coordinates(file->fields(), file->rowSize());
+    const auto write = [&](const RowSource::Piece& piece, const Chunk& stored) {
+      const std::vector<PointTag> tags = tagsOf(piece, coordinates, tag_of, threads);
+      for (std::size_t i = 0; i < piece.size; ++i) {
+        const auto* const own = &stored.rows[i * file->storedRow().size];
+        const auto* const point =
+            is_las ? own : points.of(*file, own, piece.rows + i * file->rowSize());
+        left_out += point ? 0 : 1;
+        if (point)
+          output.add(point, tags[i]);
+      }
+      return stream.good(); // a full disk is reported when the file is closed
+    };
+    file->forEachStored(0, file->size(), write);
+  }
+  const ScanFile& first = *scan.files().front();
+  if (is_las)
+    output.addRest(InputFile(first.path()),
+                   common.bytes.size() + first.size() * first.storedRow().size);
   output.finish();
   if (left_out > 0)
     warn(std::to_string(left_out) + " points without coordinates are not in '" + path +

@@ -68,14 +68,14 @@ private:
       throw ToolError("'" + file_.path() +
                       "' is LAZ, which is not read here: 'pdal translate IN.laz "
                       "OUT.las' or 'laszip -i IN.laz -o OUT.las' makes LAS of it");
-    if (format >= las::formats.size())
+    if (format >= las::sizes.size())
       refuse("its points are of the format " + number(format) + ", known are 0 to " +
-             number(las::formats.size() - 1));
-    format_ = las::formats[format];
+             number(las::sizes.size() - 1));
+    format_ = format;
     record_ = file_.numberAt<std::uint16_t>(las::record);
-    if (record_ < format_.record)
+    if (record_ < las::sizes[format_])
       refuse("its points are said to have " + number(record_) + " bytes, format " +
-             number(format) + " takes " + number(format_.record));
+             number(format) + " takes " + number(las::sizes[format_]));
     records.points = file_.numberAt<std::uint32_t>(las::points);
     if (minor_ == las::newest_minor)
       if (const auto many = file_.numberAt<std::uint64_t>(las::many_points))
@@ -110,7 +110,7 @@ private:
       const double share = std::fmod(static_cast<double>(k) * golden, 1.0);
       const auto row = static_cast<std::uint64_t>(share * static_cast<double>(points));
       const auto colour = file_.numberAt<std::array<std::uint16_t, 3>>(
-          records.begin + std::min(row, points - 1) * record_ + format_.colour);
+          records.begin + std::min(row, points - 1) * record_ + las::colours[format_]);
       if (*std::max_element(colour.begin(), colour.end()) > 0xff)
         return true;
     }
@@ -132,9 +132,9 @@ private:
                ", a scale above 0 and a finite offset are needed");
     }
     row.add("intensity", pcl::PCLPointField::UINT16).becomes_float = true;
-    if (format_.colour > 0) {
+    if (las::colours[format_] > 0) {
       row.joins_colours = true;
-      row.size = format_.colour + (usesWideColours() ? 1 : 0);
+      row.size = las::colours[format_] + (usesWideColours() ? 1 : 0);
       for (const char* name : {"red", "green", "blue"}) {
         row.add(name, pcl::PCLPointField::UINT8);
         ++row.size;
@@ -147,7 +147,7 @@ private:
   unsigned minor_ = 0;     ///< version 1.minor
   std::size_t size_ = 0;   ///< bytes of the header
   std::size_t record_ = 0; ///< bytes of a point
-  las::Format format_{};
+  unsigned format_ = 0;
 };
 
 } // namespace

@@ -170,7 +170,7 @@ LasOutput::describeTags()
     count += are_fields ? 0 : 1;
     at += size;
   }
-  const std::size_t extra = size_ - las::formats[head_.format()].record;
+  const std::size_t extra = size_ - las::sizes[head_.format()];
   if (sizeOf(fields) > extra ||
       fields.size() > std::numeric_limits<std::uint16_t>::max() - 2 * tags.size())
     fields.clear();
