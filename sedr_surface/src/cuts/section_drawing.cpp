@@ -143,36 +143,6 @@ addOpenings(const Floorplan& plan,
   }
 }
 
-/** @brief Adds what is seen behind all bodies and openings of a drawing. What rises
- * less than half a metre above a room may be in its roof, of which one side was seen.
- */
-void
-addBeyond(const Floorplan& plan, const SectionLine& line, CutDrawing& drawing)
-{
-  std::vector<PlanArea> cut;
-  for (const Drawing::Body& body : drawing.bodies)
-    cut.push_back(body.area);
-  for (const OpeningGap& gap : drawing.openings)
-    cut.push_back({loopOf({gap.corners.begin(), gap.corners.end()})});
-  std::vector<PlanLine> beyond = linesBeyond(plan, line, cut);
-  std::vector<PlanLoop> building = drawing.outlines;
-  for (const PlanArea& area : cut)
-    building.push_back(area.boundary);
-  const auto isWithin = [&](const Eigen::Vector2d& p, double up) {
-    return std::any_of(building.begin(), building.end(), [&](const PlanLoop& loop) {
-      return loop.contains(p - up * Eigen::Vector2d::UnitY());
-    });
-  };
-  const auto isInRoof = [&](const PlanLine& l) {
-    constexpr double least_rise = 0.5; // metres
-    return isWithin(l.element.start, least_rise) &&
-           isWithin(l.element.end, least_rise) &&
-           !isWithin((l.element.start + l.element.end) / 2, 0);
-  };
-  beyond.erase(std::remove_if(beyond.begin(), beyond.end(), isInRoof), beyond.end());
-  drawing.lines.insert(drawing.lines.begin(), beyond.begin(), beyond.end());
-}
-
 CutDrawing
 sectionOf(const Floorplan& plan,
           const SectionLine& line,
@@ -220,7 +190,14 @@ sectionOf(const Floorplan& plan,
                 " m"}});
     }
   drawing.addBodies(bodies, open, false);
-  addBeyond(plan, line, drawing);
+  std::vector<PlanArea> hiding = bodies;
+  for (const PlanLoop& loop : drawing.outlines) // whose roofs may be thicker
+    hiding.push_back({shifted(loop, 0.5)});
+  std::vector<PlanArea> cut = partsOutside(hiding, open);
+  for (const OpeningGap& gap : drawing.openings)
+    cut.push_back({loopOf({gap.corners.begin(), gap.corners.end()})});
+  const std::vector<PlanLine> beyond = linesBeyond(plan, line, cut);
+  drawing.lines.insert(drawing.lines.begin(), beyond.begin(), beyond.end());
   const auto place = [](const Eigen::Vector2d& p) {
     return decimalText(p.x(), 2) + ", " + decimalText(p.y(), 2);
   };

@@ -221,7 +221,7 @@ TEST(Sections, StairsHaveTheirSteps)
 
 TEST(Sections, ShowRoomsBehindThatTheyDoNotCut)
 {
-  // A hall of 6 m behind a room of 2.5 m: above the slab one sees its outline.
+  // A hall of 6 m behind a room of 2.5 m: half a metre above it one sees its outline.
   Floorplan plan{
       {roomOf(rectangle(0, 0, 5, 4), 2.5), roomOf(rectangle(1, 4.2, 4, 9), 6)}};
   plan.rooms[1].id = 2;
@@ -229,7 +229,7 @@ TEST(Sections, ShowRoomsBehindThatTheyDoNotCut)
       {OpeningKind::Window, {2, 0}, {{2, 0}}, {2, 4.1}, {3, 4.1}, 4, 5, 0, 0.2}};
   const SectionLine line{{0, 2}, {1, 2}};
   std::string dxf = drawSection(plan, line, {DrawingFormat::Dxf})[0];
-  EXPECT_NEAR(lineLength("A-SECT-BYND", dxf), 2 * (6 - 2.7) + 3, 0.02);
+  EXPECT_NEAR(lineLength("A-SECT-BYND", dxf), 2 * (6 - 3.0) + 3, 0.02);
   EXPECT_EQ(countOf(dxf, "LINE", "A-GLAZ"), 4u) << "the window in its front";
   EXPECT_NEAR(outlinedArea(dxf), 5 * 2.5, 1e-3) << "only one is cut";
   plan.rooms[1].ceiling = slabAt(2.9);
