@@ -84,12 +84,9 @@ private:
     const double height = box.sizes().y();
     for (double x = box.min().x() - height + step / 2; x < box.max().x(); x += step) {
       const PlanElement line = segment({x, box.min().y()}, {x + height, box.max().y()});
-      forEachPart(
-          line, [&](double s) { return isUnseen(line.pointAt(s)); },
-          [&](const PlanElement& part, bool is_unseen) {
-            if (is_unseen)
-              drawing.lines.push_back({part, PlanLayer::Unseen, room_.id});
-          });
+      for (const PlanElement& part :
+           partsWhere(line, [&](double s) { return isUnseen(line.pointAt(s)); }))
+        drawing.lines.push_back({part, PlanLayer::Unseen, room_.id});
     }
   }
 

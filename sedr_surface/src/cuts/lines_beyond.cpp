@@ -118,10 +118,9 @@ public:
       const Eigen::Vector3d p = from + s / length * (to - from);
       return isSeen(p) && !isCut(p.head<2>());
     };
-    forEachPart(edge, isShown, [&](const PlanElement& part, bool is_shown) {
-      if (is_shown && part.length() > shortest && !isDrawn(part))
+    for (const PlanElement& part : partsWhere(edge, isShown))
+      if (part.length() > shortest && !isDrawn(part))
         lines_.push_back({part, layer});
-    });
   }
 
   /** @brief Adds the edges between elements, the ends of open surfaces, and those of

@@ -61,10 +61,8 @@ public:
                    room_.columns.begin(), room_.columns.end(),
                    [&](const PlanLoop& c) { return c.distance(p) <= on_wall; });
       };
-      forEachPart(element, isFree, [&](const PlanElement& part, bool is_free) {
-        if (is_free)
-          add(part, layer);
-      });
+      for (const PlanElement& part : partsWhere(element, isFree))
+        add(part, layer);
     }
   }
 
@@ -79,10 +77,9 @@ public:
                             return stair.contains(p);
                           });
     };
-    forEachPart(element, isFree, [&](const PlanElement& part, bool is_free) {
-      if (is_free && part.length() > std::min(shortest, 0.99 * element.length()))
+    for (const PlanElement& part : partsWhere(element, isFree))
+      if (part.length() > std::min(shortest, 0.99 * element.length()))
         add(part, layer, std::exchange(note, ""));
-    });
   }
 
   /** @brief Adds the heads of tilted walls. */
@@ -183,10 +180,8 @@ addFarSides(const Floorplan& plan,
     const PlanLayer layer = wall.isAssumed() || isGuess(plan, wall.face)
                                 ? PlanLayer::Guess
                                 : PlanLayer::Outside;
-    forEachPart(far, isFree, [&](const PlanElement& part, bool is_free) {
-      if (is_free)
-        lines.push_back({part, layer});
-    });
+    for (const PlanElement& part : partsWhere(far, isFree))
+      lines.push_back({part, layer});
   }
 }
 

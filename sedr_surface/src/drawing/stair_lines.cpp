@@ -144,12 +144,10 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
     for (const PlanElement& line : first + 1 < flight.below
                                        ? flight.linesFrom(first)
                                        : std::vector<PlanElement>())
-      forEachPart(
-          line, [&](double s) { return isSeen(line.pointAt(s)); },
-          [&](const PlanElement& part, bool is_seen) {
-            if (is_seen && part.length() > beside)
-              lines.push_back({part, PlanLayer::Stair, flight.room});
-          });
+      for (const PlanElement& part :
+           partsWhere(line, [&](double s) { return isSeen(line.pointAt(s)); }))
+        if (part.length() > beside)
+          lines.push_back({part, PlanLayer::Stair, flight.room});
     above.push_back(flight.outline());
   }
 }

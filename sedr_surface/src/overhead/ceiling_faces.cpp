@@ -142,12 +142,11 @@ heightLines(const CeilingFaces& ceiling, double height)
           above);
     for (const auto& [from, to] : above) {
       const PlanElement line = segment(from, to);
-      forEachPart(
-          line, [&](double s) { return lookup.floorDetailAt(line.pointAt(s)) == f; },
-          [&](const PlanElement& part, bool is_above) {
-            if (is_above)
-              segments.emplace_back(part.start, part.end);
-          });
+      const auto isAbove = [&](double s) {
+        return lookup.floorDetailAt(line.pointAt(s)) == f;
+      };
+      for (const PlanElement& part : partsWhere(line, isAbove))
+        segments.emplace_back(part.start, part.end);
     }
   }
   std::vector<SurfaceLine> lines;

@@ -54,6 +54,19 @@ forEachPart(const PlanElement& element, Value value, Use use)
   }
 }
 
+/** @brief Returns the parts of an element along which `is_so(s)`, as above. */
+template <typename IsSo>
+std::vector<PlanElement>
+partsWhere(const PlanElement& element, IsSo is_so)
+{
+  std::vector<PlanElement> parts;
+  forEachPart(element, is_so, [&](const PlanElement& part, bool holds) {
+    if (holds)
+      parts.push_back(part);
+  });
+  return parts;
+}
+
 /** @brief Joins segments that share ends, to 0.1 mm, to polylines; a closed one ends
  * where it starts. Where more than two meet, lines end. */
 std::vector<std::vector<Eigen::Vector2d>>

@@ -185,11 +185,10 @@ writePoints(const OutputFolder& folder,
 {
   const StructureModel& model = chain.getModel();
   const Origin& origin = chain.getOrigin();
-  std::vector<std::uint32_t> of_points;
+  std::vector<std::array<std::uint8_t, 5>> of_points;
   for (const auto& [rgb, is_seen] :
        colours.ofPoints(*model.structure, settings.threads))
-    of_points.push_back((is_seen ? 1U : 0U) << 24 | rgb[0] << 16 | rgb[1] << 8 |
-                        rgb[2]);
+    of_points.push_back({rgb[2], rgb[1], rgb[0], 255, is_seen});
   saveStructure(folder.file("structure.pcd"), *model.structureInScanFrame(), origin,
                 of_points);
   if (settings.no_mesh)

@@ -247,7 +247,7 @@ void
 saveStructure(const std::string& path,
               const pcl::PointCloud<pcl::PointStructure>& structure,
               const Origin& origin,
-              const std::vector<std::uint32_t>& colours)
+              const std::vector<std::array<std::uint8_t, 5>>& colours)
 {
   Frame frame;
   frame.origin = origin;
@@ -276,12 +276,9 @@ saveStructure(const std::string& path,
       rows.resize(size * row);
       for (std::size_t i = 0; i < size; ++i) {
         std::memcpy(&rows[i * row], &structure[done + i], sizeof(pcl::PointStructure));
-        if (colours.empty())
-          continue;
-        const std::uint32_t seen = colours[done + i] >> 24;
-        const std::uint32_t rgb = colours[done + i] | 0xff000000;
-        std::memcpy(&rows[i * row + sizeof(pcl::PointStructure)], &rgb, sizeof rgb);
-        rows[(i + 1) * row - 1] = static_cast<std::uint8_t>(seen);
+        if (!colours.empty())
+          std::memcpy(&rows[i * row + sizeof(pcl::PointStructure)],
+                      colours[done + i].data(), sizeof colours[0]);
       }
       cloud.write(rows.data(), size, row);
     }

@@ -9,6 +9,8 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/point_view.h>
 
+#include <array>
+
 namespace pcl::sedr::tools {
 
 /** @brief A cloud in a tool: all fields, and those that every stage uses. */
@@ -49,12 +51,12 @@ void saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob);
 
 /** @brief Writes a structure as a binary PCD, completely or not at all, piece by piece
  * to avoid a second copy. Throws ToolError on failure.
- * @param colours of the points, blue the lowest byte and the highest 1 where it was
- * seen: fields `rgb` and `seen`; empty: none */
+ * @param colours of the points, blue, green, red, 255, and 1 where it was seen: fields
+ * `rgb` and `seen`; empty: none */
 void saveStructure(const std::string& path,
                    const pcl::PointCloud<pcl::PointStructure>& structure,
                    const Origin& origin = {},
-                   const std::vector<std::uint32_t>& colours = {});
+                   const std::vector<std::array<std::uint8_t, 5>>& colours = {});
 
 class ScanFile;
 
