@@ -191,8 +191,8 @@ sectionOf(const Floorplan& plan,
     }
   drawing.addBodies(bodies, open, false);
   std::vector<PlanArea> hiding = bodies;
-  for (const PlanLoop& loop : drawing.outlines) // whose roofs may be thicker
-    hiding.push_back({shifted(loop, 0.5)});
+  for (const PlanArea& body : bodies) // roofs may be thicker than assumed
+    hiding.push_back({shifted(body.boundary, 0.3)});
   std::vector<PlanArea> cut = partsOutside(hiding, open);
   for (const OpeningGap& gap : drawing.openings)
     cut.push_back({loopOf({gap.corners.begin(), gap.corners.end()})});
