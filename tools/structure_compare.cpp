@@ -51,15 +51,16 @@ drawChanges(const Floorplan& before,
     ++counts[change.kind];
     panel.addLines(change.outlines, colourOf(change.kind), 3.5);
     if (!change.outlines.empty())
-      panel.addLabel(pcl::sedr::boundsOf(change.outlines.back()).center() + above,
-                     change.what + " " + toString(change.kind));
+      panel.labels.emplace_back(pcl::sedr::boundsOf(change.outlines.back()).center() +
+                                    above,
+                                change.what + " " + toString(change.kind));
   }
-  Picture picture(counted(changes.size(), "change"));
-  picture.addMaps({panel});
+  Picture picture{counted(changes.size(), "change"), {panel}};
   for (const auto kind :
        {ChangeKind::Appeared, ChangeKind::Vanished, ChangeKind::Moved})
-    picture.addLegend(std::string(toString(kind)) + ": " + std::to_string(counts[kind]),
-                      colourOf(kind));
+    picture.legend.emplace_back(std::string(toString(kind)) + ": " +
+                                    std::to_string(counts[kind]),
+                                colourOf(kind));
   return picture;
 }
 

@@ -181,9 +181,15 @@ private:
   /** @param thinnest width and height, at least */
   void addBox(const Eigen::AlignedBox2d& box, double thinnest = 0)
   {
-    const Eigen::Vector2d size = (zoom_ * box.sizes()).cwiseMax(thinnest);
+    // By its corners: Cairo rounds sizes apart from places, and seams would be left.
     const Eigen::Vector2d low = at(box.min());
-    cairo_rectangle(cairo_.get(), low.x(), low.y() - size.y(), size.x(), size.y());
+    const double right = std::max(at(box.max()).x(), low.x() + thinnest);
+    const double top = std::min(at(box.max()).y(), low.y() - thinnest);
+    cairo_move_to(cairo_.get(), low.x(), low.y());
+    cairo_line_to(cairo_.get(), right, low.y());
+    cairo_line_to(cairo_.get(), right, top);
+    cairo_line_to(cairo_.get(), low.x(), top);
+    cairo_close_path(cairo_.get());
   }
 
   Context cairo_;

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,25 +49,13 @@ imageOf(std::string png)
   return image;
 }
 
-/** Returns panel `i` of a picture, counted row by row. */
-inline const Panel&
-panelOf(const Picture& picture, std::size_t i)
-{
-  for (const auto& row : picture.rows()) {
-    if (i < row.size())
-      return row[i];
-    i -= row.size();
-  }
-  throw std::out_of_range("the picture has no such panel");
-}
-
 /** Returns the colour of a panel at a place, metres. */
 inline Colour
 colourAt(const Panel& panel, const Eigen::Vector2d& place)
 {
   pcl::sedr::Sheet sheet;
   sheet.size = {600, 600};
-  const Box view = panel.view();
+  const Box view = panel.view;
   const double scale = 600 / view.sizes().maxCoeff();
   panel.draw({0, 0}, scale, sheet);
   EXPECT_TRUE(view.contains(place)) << place.transpose();
@@ -77,11 +64,11 @@ colourAt(const Panel& panel, const Eigen::Vector2d& place)
       .at(static_cast<int>(at.x()), static_cast<int>(600 - at.y()));
 }
 
-/** Returns the colour of panel `i` of a picture at a place, metres. */
+/** Returns the colour of map `i` of a picture at a place, metres. */
 inline Colour
 colourAt(const Picture& picture, std::size_t i, const Eigen::Vector2d& place)
 {
-  return colourAt(panelOf(picture, i), place);
+  return colourAt(picture.maps.at(i), place);
 }
 
 /** Returns the cells of rows `y0` to `y1` and columns `x0` to `x1`, inclusive. */

@@ -22,8 +22,8 @@ box(double x0, double y0, double x1, double y1)
 TEST(Panel, ShowsACellWhereItIsAndLaterShapesOverEarlier)
 {
   Panel panel("", box(-1, -1, 2, 2));
-  panel.addCells(block(0, 9, 0, 9), 0.1, red);
-  panel.addCells(unite(block(2, 3, 7, 7), block(-5, -3, -2, -2)), 0.1, blue);
+  panel.addCells({{red, block(0, 9, 0, 9).keys()}}, 0.1);
+  panel.addCells({{blue, unite(block(2, 3, 7, 7), block(-5, -3, -2, -2)).keys()}}, 0.1);
   EXPECT_EQ(colourAt(panel, {0.25, 0.75}), blue);
   EXPECT_EQ(colourAt(panel, {0.35, 0.75}), blue);
   EXPECT_EQ(colourAt(panel, {0.45, 0.75}), red);
@@ -35,10 +35,16 @@ TEST(Panel, ShowsACellWhereItIsAndLaterShapesOverEarlier)
 
 TEST(Panel, CellsSideBySideHaveNoSeam)
 {
-  Panel panel("", box(0, 0, 7, 7));
-  panel.addCells(block(0, 6, 0, 6), 1, red); // of 85.7 pixels
-  for (int row = 1; row < 7; ++row)
-    EXPECT_EQ(colourAt(panel, {3.2, row}), red) << row;
+  for (const double size : {3 + 0.13 * 21, 3 + 0.13 * 31, 3 + 0.13 * 33}) {
+    Panel panel("", box(-1.3, -1.3, size - 1.3, size - 1.3));
+    panel.addCells({{red, block(-30, 150, -30, 150).keys()}}, 0.05);
+    pcl::sedr::Sheet sheet;
+    sheet.size = {600, 600};
+    panel.draw({0, 0}, 600 / size, sheet);
+    const Image image = imageOf(pcl::sedr::sheetPng(sheet));
+    for (int y = 2; y < 598; ++y)
+      EXPECT_EQ(image.at(300, y), red) << size << ' ' << y;
+  }
 }
 
 TEST(Panel, DrawsSegmentsAndArcsOfARoomEachInItsColour)
@@ -78,14 +84,13 @@ TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
 TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
 {
   Panel map("map", box(-0.1, -0.1, 2.1, 1.6));
-  map.addCells(block(0, 39, 0, 29), 0.05, colours::ceiling);
-  map.addLabel({1, 0.7}, "1");
+  map.addCells({{colours::ceiling, block(0, 39, 0, 29).keys()}}, 0.05);
+  map.labels.emplace_back(Vector2d(1, 0.7), "1");
   Panel other("other", box(-0.1, -0.1, 2.1, 3.1));
-  other.addBoxes({box(0, 0, 2, 3)}, colours::floor);
-  Picture picture("A picture");
-  picture.addMaps({map, map, map});
-  picture.addMaps({other, map});
-  picture.addLegend("ceiling", colours::ceiling);
+  other.addCells({{colours::floor, block(0, 1, 0, 2).keys()}}, 1);
+  const Picture picture{"A picture",
+                        {map, map, map, other, map},
+                        {{"ceiling", colours::ceiling}}};
   EXPECT_EQ(picture.png(), picture.png());
   const Image image = imageOf(picture.png());
   EXPECT_LE(image.width, 1200);
@@ -100,8 +105,8 @@ TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
 TEST(Picture, OfAFlatBuildingHasItsMapsBelowEachOther)
 {
   const auto aspectOf = [](double width, double height) {
-    Picture picture("");
-    picture.addMaps(std::vector<Panel>(3, Panel("", box(0, 0, width, height))));
+    const Picture picture{"",
+                          std::vector<Panel>(3, Panel("", box(0, 0, width, height)))};
     const Image image = imageOf(picture.png());
     EXPECT_LE(image.width, 1200);
     EXPECT_LE(image.height, 1000);
@@ -114,11 +119,10 @@ TEST(Picture, OfAFlatBuildingHasItsMapsBelowEachOther)
 
 TEST(Picture, ShowsItsMapsAtOneScale)
 {
-  Picture picture("");
   std::vector<Panel> maps{Panel("", box(0, 0, 8, 3)), Panel("", box(5, 5, 7, 8))};
-  maps[0].addBoxes({box(1, 1, 2, 2)}, red);
-  maps[1].addBoxes({box(5.5, 6, 6.5, 7)}, blue);
-  picture.addMaps(maps);
+  maps[0].addPoints({{1.5, 1.5}}, red, 1);
+  maps[1].addPoints({{6, 6.5}}, blue, 1);
+  const Picture picture{"", maps};
   const Image image = imageOf(picture.png());
   const auto count = [&](Colour colour) {
     return static_cast<double>(
@@ -130,9 +134,10 @@ TEST(Picture, ShowsItsMapsAtOneScale)
 
 TEST(Picture, OfNothingIsStillAPicture)
 {
-  Picture empty("an empty map");
-  empty.addMaps({Panel("empty", {})});
-  EXPECT_GT(imageOf(empty.png()).height, imageOf(Picture("nothing").png()).height);
+  const Image empty = imageOf(Picture{"an empty map", {Panel("empty", {})}}.png());
+  const Image nothing = imageOf(Picture{"nothing"}.png());
+  EXPECT_GT(empty.height, nothing.height);
+  EXPECT_EQ(nothing.at(0, 0), colours::paper) << "no scale bar";
 }
 
 } // namespace

@@ -6,21 +6,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace pcl::sedr::tools {
 namespace {
 
-/** @brief Returns the cell nearest to the mean of some. */
+/** @brief Returns the middle of the cell of a room that is nearest to their mean. */
 Eigen::Vector2d
-middleOf(const CellSet& cells, const CellGrid& grid)
+middleOf(const BuildingRoom& room, const CellGrid& grid)
 {
   Places centres;
   Eigen::Vector2d mean(0, 0);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    centres.push_back(grid.centre(cells[i]));
-    mean += centres.back() / static_cast<double>(cells.size());
+  for (const RoomColumn& column : room.columns) {
+    centres.push_back(grid.centre(column.cell));
+    mean += centres.back() / static_cast<double>(room.columns.size());
   }
   return *std::min_element(centres.begin(), centres.end(),
                            [&](const auto& a, const auto& b) {
@@ -32,47 +31,37 @@ middleOf(const CellSet& cells, const CellGrid& grid)
 Panel
 changesOf(std::size_t label,
           const CellChanges& changes,
-          LabelCounts sums,
+          const LabelCounts& sums,
           const Box& view)
 {
-  constexpr double steps = 5; // of shades
-  constexpr double absent = -2;
-  constexpr double gone = -1;
-  std::map<double, std::vector<CellKey>> keys; // by the share of points that came
+  constexpr double shades = 5;
+  const auto meaning = static_cast<StructureLabel>(label);
+  ColouredCells cells;
   for (const auto& [key, counts] : changes) {
     const auto was = static_cast<double>(counts[0][label]);
     const auto is = static_cast<double>(counts[1][label]);
-    keys[is == 0 ? was == 0 ? absent : gone
-                 : std::round(steps * std::max(0.0, 1 - was / is)) / steps]
+    const double came = sums[0][label] == 0 ? 0 : std::max(0.0, 1 - was / is);
+    cells[is > 0    ? mixed(colourOf(meaning), colours::recovered,
+                            std::round(shades * came) / shades)
+          : was > 0 ? colours::removed
+                    : colours::faint]
         .push_back(key);
   }
-  const auto meaning = static_cast<StructureLabel>(label);
   Panel map(std::string(toString(meaning)) + ": " + counted(sums[1][label], "point"),
             view);
-  for (auto& [share, cells] : keys)
-    map.addCells(CellSet(std::move(cells)), label_cell,
-                 share == absent ? colours::faint
-                 : share == gone ? colours::removed
-                                 : mixed(colourOf(meaning), colours::recovered,
-                                         sums[0][label] == 0 ? 0 : share));
+  map.addCells(cells, label_cell);
   return map;
 }
 
-/** @brief Adds the heights of a room's ceiling above the floor of its storey. */
-void
-addHeights(const BuildingRoom& room, double floor, double cell_size, Panel& panel)
+/** @brief Returns the colour of a ceiling, the lighter the higher it is, in steps. */
+Colour
+heightColour(double height)
 {
   constexpr double step = 0.1; // metres
-  constexpr int levels = 40;
-  std::map<int, std::vector<CellKey>> keys;
-  for (const RoomColumn& column : room.columns)
-    keys[std::clamp(static_cast<int>((column.ceiling - floor - 1.5) / step), 0,
-                    levels - 1)]
-        .push_back(keyOf(column.cell));
-  for (auto& [level, cells] : keys)
-    panel.addCells(CellSet(std::move(cells)), cell_size,
-                   lightened(darkened(colours::ceiling, 0.5),
-                             level / static_cast<double>(levels)));
+  constexpr double levels = 40;
+  return lightened(darkened(colours::ceiling, 0.5),
+                   std::clamp(std::trunc((height - 1.5) / step), 0.0, levels - 1) /
+                       levels);
 }
 
 } // namespace
@@ -122,19 +111,17 @@ drawLabels(const CellChanges& changes)
     return counted(std::accumulate(counts.begin(), counts.end(), std::size_t{0}),
                    "point");
   };
-  Picture picture(sumOf(sums[0]) + " before, " + sumOf(sums[1]) + " after");
+  Picture picture{sumOf(sums[0]) + " before, " + sumOf(sums[1]) + " after"};
   const Box view = viewOf(CellSet(structure.empty() ? all : structure), label_cell);
-  std::vector<Panel> maps;
   for (const std::size_t label : {1, 2, 3, 4, 5, 0})
-    if (label == 0 ? maps.empty() : is_changed[label]) {
-      maps.push_back(changesOf(label, changes, sums, view));
+    if (label == 0 ? picture.maps.empty() : is_changed[label]) {
+      picture.maps.push_back(changesOf(label, changes, sums, view));
       const auto meaning = static_cast<StructureLabel>(label);
-      picture.addLegend(toString(meaning), colourOf(meaning));
+      picture.legend.emplace_back(toString(meaning), colourOf(meaning));
     }
-  picture.addMaps(std::move(maps));
-  picture.addLegend("came", colours::recovered);
-  picture.addLegend("gone", colours::removed);
-  picture.addLegend("other points", colours::faint);
+  picture.legend.insert(picture.legend.end(), {{"came", colours::recovered},
+                                               {"gone", colours::removed},
+                                               {"other points", colours::faint}});
   return picture;
 }
 
@@ -142,8 +129,10 @@ Picture
 drawRooms(const Building& building)
 {
   const double cell_size = building.grid.size();
-  Picture picture("Rooms: " + std::to_string(building.rooms.size()) + " on " +
-                  counted(building.storeys.size(), "storey"));
+  Picture picture{"Rooms: " + std::to_string(building.rooms.size()) + " on " +
+                  counted(building.storeys.size(), "storey")};
+  picture.legend = {
+      {"ceiling, the lighter the higher above the storey's floor", colours::ceiling}};
   std::vector<CellKey> all;
   for (const BuildingRoom& room : building.rooms)
     for (const RoomColumn& column : room.columns)
@@ -151,30 +140,26 @@ drawRooms(const Building& building)
   const Box view = viewOf(CellSet(std::move(all)), cell_size);
   for (const PlanStorey& storey : building.storeys) {
     Panel rooms(storey.name, view);
-    Panel heights("height of " + storey.name, view);
+    ColouredCells areas;
+    ColouredCells heights;
     for (const BuildingRoom& room : building.rooms) {
       if (room.storey != storey.number || room.columns.empty())
         continue;
-      std::vector<CellKey> keys;
-      std::vector<CellKey> hidden; // not completely seen
       for (const RoomColumn& column : room.columns) {
-        keys.push_back(keyOf(column.cell));
-        if (!column.floor_seen || !column.ceiling_seen)
-          hidden.push_back(keys.back());
+        const double dark = column.floor_seen && column.ceiling_seen ? 0 : 0.25;
+        areas[darkened(roomColour(room.id), dark)].push_back(keyOf(column.cell));
+        heights[heightColour(column.ceiling - storey.floor)].push_back(
+            keyOf(column.cell));
       }
-      const CellSet cells(std::move(keys));
-      rooms.addCells(cells, cell_size, roomColour(room.id));
-      rooms.addCells(CellSet(std::move(hidden)), cell_size,
-                     darkened(roomColour(room.id), 0.25));
-      rooms.addLabel(middleOf(cells, building.grid), std::to_string(room.id) + ": " +
-                                                         decimalText(room.area, 1) +
-                                                         " m²");
-      addHeights(room, storey.floor, cell_size, heights);
+      rooms.labels.emplace_back(middleOf(room, building.grid),
+                                std::to_string(room.id) + ": " +
+                                    decimalText(room.area, 1) + " m²");
     }
-    picture.addMaps({rooms, heights});
+    rooms.addCells(areas, cell_size);
+    Panel ceilings("height of " + storey.name, view);
+    ceilings.addCells(heights, cell_size);
+    picture.maps.insert(picture.maps.end(), {rooms, ceilings});
   }
-  picture.addLegend("ceiling, the lighter the higher above the storey's floor",
-                    colours::ceiling);
   return picture;
 }
 

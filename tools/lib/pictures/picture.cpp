@@ -12,17 +12,37 @@ namespace pcl::sedr::tools {
 namespace {
 
 // Pixels.
-constexpr double width = 1200;
-constexpr double narrowest = 528;
 constexpr double margin = 16;
 constexpr double gap = 24;
+constexpr double inside = 1200 - 2 * margin;
 constexpr double title_height = 40;
 constexpr double panel_title_height = 28;
-constexpr double tallest = 800;     ///< of all maps,
-constexpr double tallest_row = 300; ///< or more for so many rows
 constexpr double line_height = 24;
-constexpr double inside = width - 2 * margin;
 constexpr double font = 14;
+
+/** @brief Places boxes from left to right and, where the sheet ends, in a new line. */
+struct Flow {
+  double right = margin + inside;
+  Eigen::Vector2d next{margin, -title_height}; ///< upper left corner
+  double line = 0;                             ///< height of the line
+  double end = 0;                              ///< of the widest line
+
+  Eigen::Vector2d place(const Eigen::Vector2d& size)
+  {
+    if (next.x() > margin && next.x() + size.x() > right + 0.5)
+      endLine();
+    const Eigen::Vector2d at = next;
+    next.x() += size.x() + gap;
+    line = std::max(line, size.y());
+    end = std::max(end, at.x() + size.x());
+    return at;
+  }
+  void endLine()
+  {
+    next = {margin, next.y() - line};
+    line = 0;
+  }
+};
 
 /** @brief Adds a text, made smaller to be at most `most` pixels wide. */
 void
@@ -39,67 +59,90 @@ addText(Sheet& sheet,
   sheet.add(t);
 }
 
-/** @brief Draws a scale bar of 1, 2 or 5 times a power of ten; returns its right end.
- */
-double
-drawScaleBar(Sheet& sheet, double scale, const Eigen::Vector2d& start)
+/** @brief Adds an entry of the legend: a box of a colour, and what it means. */
+void
+addEntry(Sheet& sheet,
+         Flow& flow,
+         const Eigen::Vector2d& size,
+         Colour colour,
+         const std::string& text)
 {
-  constexpr double longest = 160;
-  const double most = longest / scale;
+  const Eigen::Vector2d text_start(size.x() + 8, 0);
+  const Eigen::Vector2d at =
+      flow.place({text_start.x() + font * textWidth(text), line_height}) -
+      Eigen::Vector2d(0, line_height / 2);
+  const Eigen::Vector2d low = at - Eigen::Vector2d(0, size.y() / 2);
+  sheet.addBox({colour}, {low, low + size});
+  addText(sheet, text, at + text_start);
+}
+
+/** @brief Adds a scale bar of 1, 2 or 5 times a power of ten. */
+void
+addScaleBar(Sheet& sheet, Flow& flow, double scale)
+{
+  const double most = 160 / scale;
   double length = std::pow(10, std::floor(std::log10(most)));
   length *= 5 * length <= most ? 5 : 2 * length <= most ? 2 : 1;
-  const Eigen::Vector2d end = start + Eigen::Vector2d(length * scale, 0);
-  const Eigen::Vector2d up(0, 5);
-  const SheetLook line{no_colour, colours::ink, 2};
-  for (const auto& [from, to] :
-       {std::pair<Eigen::Vector2d, Eigen::Vector2d>(start, end),
-        {start - up, start + up},
-        {end - up, end + up}})
-    sheet.addLine(line, {from, to});
-  const std::string text = length < 0.999 ? shortDecimalText(100 * length, 3) + " cm"
-                                          : shortDecimalText(length, 0) + " m";
-  addText(sheet, text, {end.x() + 8, end.y()});
-  return end.x() + 8 + font * textWidth(text);
+  addEntry(sheet, flow, {length * scale, 4}, colours::ink,
+           length < 0.999 ? shortDecimalText(100 * length, 3) + " cm"
+                          : shortDecimalText(length, 0) + " m");
+}
+
+/** @brief Returns the largest scale at which all maps fit, pixels per metre. */
+double
+scaleFor(const std::vector<Panel>& maps)
+{
+  const auto count = static_cast<double>(maps.size());
+  const double tallest = std::max(800.0, 150 * count); // of all maps
+  Eigen::Vector2d largest(0, 0);
+  for (const Panel& map : maps)
+    largest = largest.cwiseMax(map.view.sizes());
+  double best = 0;
+  for (double columns = count; columns >= 1; --columns) {
+    const double scale = std::min(((inside + gap) / columns - gap) / largest.x(),
+                                  tallest / std::ceil(count / columns) / largest.y());
+    // Adjacent maps compare better: more lines only if maps become much larger.
+    if (scale > 1.5 * best)
+      best = scale;
+  }
+  return best;
 }
 
 /** @brief Returns a box grown by a share of its size, and `least` metres at least. */
 Box
-grown(const Box& box, double share, double least)
+grown(const Box& box, double least)
 {
   if (box.isEmpty())
     return box;
   const Eigen::Vector2d around =
-      Eigen::Vector2d::Constant(std::max(share * box.sizes().maxCoeff(), least));
+      Eigen::Vector2d::Constant(std::max(0.02 * box.sizes().maxCoeff(), least));
   return {box.min() - around, box.max() + around};
 }
 
 } // namespace
 
 Panel::Panel(std::string title, const Box& view)
-    : title_(std::move(title))
-    , view_(view.isEmpty() || (view.sizes().array() <= 0).any()
-                ? Box(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
-                : view)
+    : title(std::move(title))
+    , view(view.isEmpty() || (view.sizes().array() <= 0).any()
+               ? Box(Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1))
+               : view)
 {}
 
 void
-Panel::addBoxes(std::vector<Box> boxes, Colour colour)
+Panel::addCells(const ColouredCells& cells, double cell_size)
 {
-  shapes_.emplace_back(SheetBoxes{colour, std::move(boxes)});
-}
-
-void
-Panel::addCells(const CellSet& cells, double cell_size, Colour colour)
-{
-  // Keys run row by row, so that neighbours in a row become one box.
-  std::vector<Box> boxes;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Eigen::Vector2d low(cells[i].x, cells[i].y);
-    if (i == 0 || cells.keys()[i] != cells.keys()[i - 1] + 1)
-      boxes.emplace_back(Eigen::Vector2d(cell_size * low));
-    boxes.back().extend(Eigen::Vector2d(cell_size * (low + Eigen::Vector2d::Ones())));
+  for (const auto& [colour, keys] : cells) {
+    // Keys run row by row, so that neighbours in a row become one box.
+    const CellSet set(keys);
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const Eigen::Vector2d low(set[i].x, set[i].y);
+      if (i == 0 || set.keys()[i] != set.keys()[i - 1] + 1)
+        boxes.emplace_back(Eigen::Vector2d(cell_size * low));
+      boxes.back().extend(Eigen::Vector2d(cell_size * (low + Eigen::Vector2d::Ones())));
+    }
+    shapes.emplace_back(SheetBoxes{colour, std::move(boxes)});
   }
-  addBoxes(std::move(boxes), colour);
 }
 
 void
@@ -109,13 +152,7 @@ Panel::addPoints(const Places& points, Colour colour, double size)
   std::vector<Box> boxes;
   for (const Eigen::Vector2d& p : points)
     boxes.emplace_back(p - half, p + half);
-  addBoxes(std::move(boxes), colour);
-}
-
-void
-Panel::addLines(std::vector<PlanLoop> lines, Colour colour, double pixels)
-{
-  shapes_.emplace_back(SheetPath{{no_colour, colour, pixels}, std::move(lines)});
+  shapes.emplace_back(SheetBoxes{colour, std::move(boxes)});
 }
 
 void
@@ -146,104 +183,57 @@ Panel::addPlan(const Floorplan& plan, double pixels, Colour all)
 void
 Panel::draw(const Eigen::Vector2d& corner, double scale, Sheet& sheet) const
 {
-  const Box box(corner, corner + scale * view_.sizes());
-  sheet.add(SheetView{box, view_});
-  sheet.items.insert(sheet.items.end(), shapes_.begin(), shapes_.end());
+  const Box box(corner, corner + scale * view.sizes());
+  sheet.add(SheetView{box, view});
+  sheet.items.insert(sheet.items.end(), shapes.begin(), shapes.end());
   sheet.add(SheetView{});
   sheet.addBox({no_colour, colours::faint, 1}, box);
   TextPlaces places;
-  for (const auto& [place, text] : labels_) {
+  for (const auto& [place, text] : labels) {
     constexpr double edge = 3; // pixels to the frame
-    SheetText label{colours::ink, corner + scale * (place - view_.min()), font, text};
+    SheetText label{colours::ink, corner + scale * (place - view.min()), font, text};
     label.ground = paper_colour;
     label.is_bold = true;
     const Eigen::Vector2d half = font * halfSizeOf({text});
     const Eigen::Vector2d in = half + Eigen::Vector2d::Constant(edge);
     label.place = label.place.cwiseMin(box.max() - in).cwiseMax(box.min() + in);
-    if (view_.contains(place) && places.takeFirst({{label.place, half, 0}}))
+    if (view.contains(place) && places.takeFirst({{label.place, half, 0}}))
       sheet.add(label);
   }
 }
 
-double
-Picture::scale() const
+std::string
+Picture::png() const
 {
-  Eigen::Vector2d largest(0, 0); // view of a map, metres
-  std::size_t most = 1;          // maps in a row
-  for (const std::vector<Panel>& row : rows_) {
-    most = std::max(most, row.size());
-    for (const Panel& map : row)
-      largest = largest.cwiseMax(map.view().sizes());
-  }
-  const double all =
-      std::max(tallest, tallest_row * static_cast<double>(rows_.size())); // pixels
-  double best = 0;
-  for (std::size_t columns = most; columns >= 1; --columns) {
-    double lines = 0;
-    for (const std::vector<Panel>& row : rows_)
-      lines += static_cast<double>((row.size() + columns - 1) / columns);
-    const double scale =
-        std::min(((inside + gap) / static_cast<double>(columns) - gap) / largest.x(),
-                 all / lines / largest.y());
-    // Adjacent maps compare better: more lines only if maps become much larger.
-    if (scale > 1.5 * best)
-      best = scale;
-  }
-  return best;
-}
-
-Sheet
-Picture::draw() const
-{
-  // Drawn downwards from the top at y = 0; its height is known then.
-  Sheet sheet;
-  sheet.title = title_;
+  // Drawn downwards from the top at y = 0; the height is known then.
   constexpr double title_font = 19;
-  addText(sheet, title_, {margin, -title_height / 2 - 2}, title_font);
-  sheet.size.x() = std::max(narrowest, title_font * textWidth(title_, true));
-  double y = drawMaps(sheet) - line_height;
-  sheet.size.x() = std::min(width, std::ceil(sheet.size.x() + 2 * margin));
-  double x = rows_.empty() ? margin : drawScaleBar(sheet, scale(), {margin, y}) + gap;
-  for (const auto& [meaning, colour] : legend_) {
-    const double across = 22 + font * textWidth(meaning) + gap;
-    if (x > margin && x + across > sheet.size.x() - margin) {
-      x = margin;
-      y -= line_height;
-    }
-    sheet.addBox({colour}, {Eigen::Vector2d(x, y - 7), Eigen::Vector2d(x + 14, y + 7)});
-    addText(sheet, meaning, {x + 22, y});
-    x += across;
+  constexpr double narrowest = 528;
+  Sheet sheet;
+  sheet.title = title;
+  addText(sheet, title, {margin, -title_height / 2 - 2}, title_font);
+  Flow flow;
+  const double scale = scaleFor(maps);
+  for (const Panel& map : maps) {
+    const Eigen::Vector2d size = scale * map.view.sizes();
+    const Eigen::Vector2d at =
+        flow.place(size + Eigen::Vector2d(0, panel_title_height + 8));
+    addText(sheet, map.title, at - Eigen::Vector2d(0, panel_title_height / 2), 15,
+            size.x() + gap - 6);
+    map.draw(at - Eigen::Vector2d(0, panel_title_height + size.y()), scale, sheet);
   }
-  sheet.size.y() = std::ceil(line_height - y);
+  flow.endLine();
+  flow.right = std::ceil(std::min(
+      flow.right, std::max({flow.end, margin + title_font * textWidth(title, true),
+                            margin + narrowest})));
+  flow.next.y() -= line_height / 2;
+  if (!maps.empty())
+    addScaleBar(sheet, flow, scale);
+  for (const auto& [meaning, colour] : legend)
+    addEntry(sheet, flow, {14, 14}, colour, meaning);
+  flow.endLine();
+  sheet.size = {flow.right + margin, std::ceil(line_height / 2 - flow.next.y())};
   sheet.bottom = -sheet.size.y();
-  return sheet;
-}
-
-double
-Picture::drawMaps(Sheet& sheet) const
-{
-  const double scale = this->scale();
-  double y = -title_height;
-  for (const std::vector<Panel>& row : rows_) {
-    double x = margin;
-    double height = 0; // of a line of maps
-    for (const Panel& map : row) {
-      const Eigen::Vector2d size = scale * map.view().sizes();
-      if (x > margin && x + size.x() > width - margin + 0.5) {
-        y -= panel_title_height + height + 8;
-        x = margin;
-        height = 0;
-      }
-      addText(sheet, map.title(), {x, y - panel_title_height / 2}, 15,
-              size.x() + gap - 6);
-      map.draw({x, y - panel_title_height - size.y()}, scale, sheet);
-      height = std::max(height, size.y());
-      x += size.x() + gap;
-      sheet.size.x() = std::max(sheet.size.x(), x - gap - margin);
-    }
-    y -= panel_title_height + height + 8;
-  }
-  return y;
+  return sheetPng(sheet);
 }
 
 Box
@@ -255,17 +245,14 @@ viewOf(const CellSet& cells, double cell_size)
     for (std::size_t i = 0; i < cells.size(); ++i)
       places.push_back(cell_size * (axis == 0 ? cells[i].x : cells[i].y));
     std::sort(places.begin(), places.end());
-    const std::size_t off = places.size() / 100;
-    double low = places[off];
-    double high = places[places.size() - 1 - off];
-    if (2 * (high - low) >= places.back() - places.front()) {
-      low = places.front();
-      high = places.back();
-    }
-    view.min()[axis] = low;
-    view.max()[axis] = high + cell_size;
+    const double all = places.back() - places.front();
+    std::size_t off = places.size() / 100;
+    if (2 * (places[places.size() - 1 - off] - places[off]) >= all)
+      off = 0;
+    view.min()[axis] = places[off];
+    view.max()[axis] = places[places.size() - 1 - off] + cell_size;
   }
-  return grown(view, 0.02, 2 * cell_size);
+  return grown(view, 2 * cell_size);
 }
 
 Box
@@ -275,7 +262,7 @@ viewOf(const std::vector<const Floorplan*>& plans)
   for (const Floorplan* plan : plans)
     for (const PlanRoom& room : plan->rooms)
       view.extend(boundsOf(room.boundary));
-  return grown(view, 0.02, 0.4);
+  return grown(view, 0.4);
 }
 
 } // namespace pcl::sedr::tools

@@ -26,15 +26,14 @@ constexpr std::array<std::pair<const char*, Colour>, 7> states{
 Panel
 mapOf(const WallMap& map, const std::string& title)
 {
-  std::array<std::vector<CellKey>, states.size()> keys;
+  ColouredCells cells;
   for (std::size_t c = 0; c < map.columns(); ++c)
     for (std::size_t r = 0; r < map.rows(); ++r)
-      keys[static_cast<std::size_t>(map.at(c, r))].push_back(
+      cells[states[static_cast<std::size_t>(map.at(c, r))].second].push_back(
           keyOf({static_cast<std::int32_t>(c), static_cast<std::int32_t>(r)}));
   const Eigen::Vector2d size(map.columns(), map.rows());
   Panel panel(title, Box(Eigen::Vector2d(0, 0), map.cell() * size));
-  for (std::size_t k = 1; k < states.size(); ++k)
-    panel.addCells(CellSet(std::move(keys[k])), map.cell(), states[k].second);
+  panel.addCells(cells, map.cell());
   return panel;
 }
 
@@ -55,7 +54,8 @@ addOpening(const FoundOpening& found, double base, Panel& panel)
                          top - at.rise * (1 - std::sqrt(1 - x * x)));
   }
   panel.addLines({loopOf(outline)}, colours::ink, 1.5);
-  panel.addLabel({middle, (bottom + top) / 2}, nameOf(found.opening.kind));
+  panel.labels.emplace_back(Eigen::Vector2d(middle, (bottom + top) / 2),
+                            nameOf(found.opening.kind));
 }
 
 } // namespace
@@ -87,19 +87,18 @@ drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries)
   fitted.addPlan(plan, 2.5);
   fitted.addPoints(corners, colours::ink, 0.08);
   for (const PlanRoom& room : plan.rooms)
-    fitted.addLabel(textSpotIn(room.boundary, room.columns).place,
-                    std::to_string(room.id) + ": " + decimalText(room.area(), 1) +
-                        " m²");
-  Picture picture("Floor plan of " + counted(plan.rooms.size(), "room"));
-  picture.addMaps({boundary, fitted});
-  picture.addLegend("boundary point on a wall", colours::wall);
-  picture.addLegend("edge of the ceiling, no wall seen", unsupported);
-  picture.addLegend("segment", colours::ink);
-  picture.addLegend("arc", colours::arc);
-  picture.addLegend("column", colours::column);
-  picture.addLegend("detail of the ceiling", colours::detail);
-  picture.addLegend("step of the floor", colours::floor);
-  return picture;
+    fitted.labels.emplace_back(textSpotIn(room.boundary, room.columns).place,
+                               std::to_string(room.id) + ": " +
+                                   decimalText(room.area(), 1) + " m²");
+  return {"Floor plan of " + counted(plan.rooms.size(), "room"),
+          {boundary, fitted},
+          {{"boundary point on a wall", colours::wall},
+           {"edge of the ceiling, no wall seen", unsupported},
+           {"segment", colours::ink},
+           {"arc", colours::arc},
+           {"column", colours::column},
+           {"detail of the ceiling", colours::detail},
+           {"step of the floor", colours::floor}}};
 }
 
 Picture
@@ -115,25 +114,22 @@ drawOpenings(const Floorplan& plan, const OpeningSearch& search)
     return search.sides[a].line.length() > search.sides[b].line.length();
   });
   const std::size_t shown = std::min(sides.size(), max_maps);
-  Picture picture(
+  Picture picture{
       counted(search.found.size(), "opening") +
       (shown < sides.size()
            ? ", without those of " + counted(sides.size() - shown, "shorter wall")
-           : ""));
+           : "")};
   sides.resize(shown);
-  std::vector<Panel> maps;
   for (const std::size_t side : sides) {
     const WallMap& map = search.maps[side];
-    maps.push_back(
+    picture.maps.push_back(
         mapOf(map, "a wall of room " +
                        std::to_string(plan.rooms[search.sides[side].room].id)));
     for (const FoundOpening& found : search.found)
       if (found.side == side)
-        addOpening(found, map.heightOf(0), maps.back());
+        addOpening(found, map.heightOf(0), picture.maps.back());
   }
-  picture.addMaps(std::move(maps));
-  for (std::size_t k = 1; k < states.size(); ++k)
-    picture.addLegend(states[k].first, states[k].second);
+  picture.legend.assign(states.begin() + 1, states.end());
   return picture;
 }
 
