@@ -107,18 +107,33 @@ hasRoomOf(const Element& column, const Floorplan& plan)
   });
 }
 
-/** @brief Adds those elements whose places the other plan has. */
-template <typename HasPlaceT>
-void
-addSingles(const std::vector<Element>& elements,
-           const Floorplan& other,
-           ChangeKind kind,
-           const HasPlaceT& has_place,
-           std::vector<Change>& changes)
+/** @brief Pairs elements of two plans; of the others those count whose places the
+ * other plan has.
+ * @param apart distance of two elements
+ * @param has_place whether a plan has the place of an element
+ * @param tolerance distance beyond which an element has moved */
+template <typename ApartT, typename HasPlaceT>
+std::vector<Change>
+thingChanges(std::vector<Element> gone,
+             std::vector<Element> come,
+             const Floorplan& before,
+             const Floorplan& after,
+             const ApartT& apart,
+             const HasPlaceT& has_place,
+             double farthest,
+             double tolerance)
 {
-  for (const Element& element : elements)
-    if (has_place(element, other))
-      changes.push_back(changeOf(element, kind));
+  std::vector<Change> changes;
+  for (const auto& [a, b] : takePairs(gone, come, farthest, apart))
+    if (apart(a, b) > tolerance)
+      changes.push_back(moveOf(a, b));
+  for (const Element& element : gone)
+    if (has_place(element, after))
+      changes.push_back(changeOf(element, ChangeKind::Vanished));
+  for (const Element& element : come)
+    if (has_place(element, before))
+      changes.push_back(changeOf(element, ChangeKind::Appeared));
+  return changes;
 }
 
 } // namespace
@@ -128,15 +143,8 @@ columnChanges(const Floorplan& before,
               const Floorplan& after,
               const CompareSettings& settings)
 {
-  std::vector<Change> changes;
-  auto gone = columnsOf(before);
-  auto come = columnsOf(after);
-  for (const auto& [a, b] : takePairs(gone, come, settings.farthest, columnsApart))
-    if (columnsApart(a, b) > settings.tolerance)
-      changes.push_back(moveOf(a, b));
-  addSingles(gone, after, ChangeKind::Vanished, hasRoomOf, changes);
-  addSingles(come, before, ChangeKind::Appeared, hasRoomOf, changes);
-  return changes;
+  return thingChanges(columnsOf(before), columnsOf(after), before, after, columnsApart,
+                      hasRoomOf, settings.farthest, settings.tolerance);
 }
 
 std::vector<Change>
@@ -144,15 +152,10 @@ openingChanges(const Floorplan& before,
                const Floorplan& after,
                const CompareSettings& settings)
 {
-  std::vector<Change> changes;
   if (before.openings.empty() || after.openings.empty())
-    return changes; // nobody looked for them in one of the plans
-  auto gone = openingsOf(before);
-  auto come = openingsOf(after);
-  takePairs(gone, come, settings.farthest, openingsApart);
-  addSingles(gone, after, ChangeKind::Vanished, hasWallOf, changes);
-  addSingles(come, before, ChangeKind::Appeared, hasWallOf, changes);
-  return changes;
+    return {}; // nobody looked for them in one of the plans
+  return thingChanges(openingsOf(before), openingsOf(after), before, after,
+                      openingsApart, hasWallOf, settings.farthest, never);
 }
 
 } // namespace pcl::sedr::tools

@@ -20,6 +20,9 @@ struct Face : Element {
   std::size_t walls = 0;  ///< number of walls in that room
   double from = 0;        ///< along the wall, metres
   double to = 0;
+  double way = 0;           ///< that it moved along its normal, metres
+  std::string after{};      ///< its name then
+  PlanLoop after_outline{}; ///< likewise
 
   const PlanElement& wall() const { return outline.elements[0]; }
   Eigen::Vector2d place() const { return wall().pointAt((from + to) / 2); }
@@ -167,59 +170,13 @@ dropHidden(std::vector<Face>& faces, const Floorplan& other)
   faces.erase(std::remove_if(faces.begin(), faces.end(), is_hidden), faces.end());
 }
 
-/** @brief Returns the change of faces that are one partition, a wall, or neighbours. */
-Change
-changeOf(const std::vector<Face>& faces, ChangeKind kind, bool is_partition)
-{
-  Change change{kind, is_partition        ? "partition"
-                      : faces.size() == 1 ? "wall"
-                                          : "walls"};
-  change.is_length = true;
-  for (const Face& face : faces) {
-    (kind == ChangeKind::Appeared ? change.after : change.before).push_back(face.name);
-    change.outlines.push_back(face.outline);
-    change.size =
-        is_partition ? std::max(change.size, face.size) : change.size + face.size;
-  }
-  return change;
-}
-
-using Move = std::pair<Face, Face>;
-
-/** @brief Adds moves; equal moves of both faces of a partition are merged. */
+/** @brief Adds a change for each group of faces that belong together: a partition that
+ * changed on both sides by the same, or neighbours that appeared or vanished. */
 void
-addMoves(std::vector<Move> moves, double tolerance, std::vector<Change>& changes)
-{
-  const auto way = [](const Move& move) { return distance(move.first, move.second); };
-  while (!moves.empty()) {
-    std::vector<Move> together{moves.front()};
-    moves.erase(moves.begin());
-    const auto other = std::find_if(moves.begin(), moves.end(), [&](const Move& move) {
-      return arePartition(together[0].first, move.first) &&
-             std::abs(way(together[0]) + way(move)) < 2 * tolerance;
-    });
-    if (other != moves.end()) {
-      together.push_back(*other);
-      moves.erase(other);
-    }
-    std::vector<Face> faces;
-    for (const Move& move : together)
-      faces.push_back(move.first);
-    changes.push_back(changeOf(faces, ChangeKind::Moved, together.size() > 1));
-    changes.back().outlines.clear();
-    for (const Move& move : together) {
-      changes.back().after.push_back(move.second.name);
-      changes.back().outlines.push_back(move.second.outline);
-      changes.back().shift.head<2>() +=
-          way(move) * move.first.normal() / static_cast<double>(together.size());
-    }
-  }
-}
-
-/** @brief Adds faces without a partner: those that are neighbours or one partition are
- * one change. */
-void
-addSingles(std::vector<Face> faces, ChangeKind kind, std::vector<Change>& changes)
+addChanges(std::vector<Face> faces,
+           ChangeKind kind,
+           double tolerance,
+           std::vector<Change>& changes)
 {
   while (!faces.empty()) {
     std::vector<Face> group{faces.front()};
@@ -227,16 +184,34 @@ addSingles(std::vector<Face> faces, ChangeKind kind, std::vector<Change>& change
     bool is_partition = false;
     for (std::size_t k = 0; k < group.size(); ++k)
       for (std::size_t i = 0; i < faces.size();) {
-        const bool opposite = arePartition(group[k], faces[i]);
-        if (!opposite && !areNeighbours(group[k], faces[i])) {
+        const bool is_opposite = arePartition(group[k], faces[i]) &&
+                                 std::abs(group[k].way + faces[i].way) < 2 * tolerance;
+        if (!is_opposite &&
+            (kind == ChangeKind::Moved || !areNeighbours(group[k], faces[i]))) {
           ++i;
           continue;
         }
-        is_partition = is_partition || opposite;
+        is_partition = is_partition || is_opposite;
         group.push_back(faces[i]);
         faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(i));
       }
-    changes.push_back(changeOf(group, kind, is_partition));
+    Change change{kind, is_partition        ? "partition"
+                        : group.size() == 1 ? "wall"
+                                            : "walls"};
+    change.is_length = true;
+    for (const Face& face : group) {
+      const bool is_moved = kind == ChangeKind::Moved;
+      (kind == ChangeKind::Appeared ? change.after : change.before)
+          .push_back(face.name);
+      if (is_moved)
+        change.after.push_back(face.after);
+      change.outlines.push_back(is_moved ? face.after_outline : face.outline);
+      change.size =
+          is_partition ? std::max(change.size, face.size) : change.size + face.size;
+      change.shift.head<2>() +=
+          face.way * face.normal() / static_cast<double>(group.size());
+    }
+    changes.push_back(change);
   }
 }
 
@@ -255,15 +230,21 @@ wallChanges(const Floorplan& before,
   }
   auto gone = missingFaces(before, after, settings, ignored[0]);
   auto come = missingFaces(after, before, settings, ignored[1]);
-  std::vector<Change> changes;
-  addMoves(
-      takePairs(gone, come, settings.farthest,
-                [](const Face& a, const Face& b) { return std::abs(distance(a, b)); }),
-      settings.tolerance, changes);
+  std::vector<Face> moved;
+  for (auto& [a, b] : takePairs(gone, come, settings.farthest, [](auto&a, auto&b) {
+         return std::abs(distance(a, b));
+       })) {
+    moved.push_back(a);
+    moved.back().way = distance(a, b);
+    moved.back().after = b.name;
+    moved.back().after_outline = b.outline;
+  }
   dropHidden(gone, after);
   dropHidden(come, before);
-  addSingles(gone, ChangeKind::Vanished, changes);
-  addSingles(come, ChangeKind::Appeared, changes);
+  std::vector<Change> changes;
+  addChanges(moved, ChangeKind::Moved, settings.tolerance, changes);
+  addChanges(gone, ChangeKind::Vanished, settings.tolerance, changes);
+  addChanges(come, ChangeKind::Appeared, settings.tolerance, changes);
   return changes;
 }
 
