@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the programs of all stages have in common.
+#include "option_help.h"
+#include "stage_tools.h"
+#include "tools/pictures/pictures.h"
+
+namespace {
+
+using namespace programs;
+
+class ToolContract : public StageToolRuns<::testing::TestWithParam<Tool>> {
+protected:
+  const std::string& program() const { return GetParam().program; }
+  std::string output() const { return in(GetParam().output); }
+  ProgramRun onFile(const std::string& bytes) { return runOn(GetParam(), bytes); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Stages, ToolContract, ::testing::ValuesIn(stageTools()));
+
+TEST_P(ToolContract, HelpTellsUsageAndEveryDefault)
+{
+  const ProgramRun help = run(program(), {"-h"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  EXPECT_NE(help.out.find("Usage: pcl_"), std::string::npos);
+  const std::vector<OptionHelp> options = optionsIn(help.out);
+  EXPECT_FALSE(options.empty());
+  for (const auto& option : options)
+    EXPECT_TRUE(option.tellsDefault()) << option.name;
+}
+
+TEST_P(ToolContract, NumbersThatAreNoneOrOutOfRangeAreRefused)
+{
+  std::string value = "many";
+  for (const auto& option : optionsIn(run(program(), {"-h"}).out))
+    if (option.hasRange()) {
+      expectFailure(
+          runTo(output(), GetParam(), in("input.pcd"), {"--" + option.name, value}), 1,
+          "--" + option.name);
+      value = "-1";
+    }
+}
+
+TEST_P(ToolContract, BadCommandLinesAreRefused)
+{
+  for (const Strings& arguments : {Strings{},
+                                   {"a.pcd"},
+                                   {"a.pcd", "b.pcd", "c.pcd", "d.pcd"},
+                                   {"a.pcd", "b.pcd", "--no-such-option"}})
+    expectFailure(run(program(), arguments), 1);
+}
+
+TEST_P(ToolContract, FilesThatAreNoCloudsAreRefused)
+{
+  for (const std::string& path : {in("missing.pcd"), folder_.path().string()})
+    expectFailure(runTo(output(), GetParam(), path), 1);
+  const std::string good = pcdBytes({{1, 2, 3}, {1, 2, 4}}, {1, 2});
+  for (const std::string& bytes :
+       {std::string(), std::string("no cloud at all\n"), std::string(5000, '\0'),
+        pcdBytes({}), good.substr(0, good.size() - 1), good.substr(0, 60)})
+    expectFailure(onFile(bytes), 1);
+}
+
+TEST_P(ToolContract, AMeshIsToldFromACloud)
+{
+  const ProgramRun result =
+      onFile("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+             "property float y\nproperty float z\nelement face 1\n"
+             "property list uchar int vertex_indices\nend_header\n"
+             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string name = std::filesystem::path(program()).filename();
+  EXPECT_EQ(result.err.rfind(name + ": warning: '", 0), 0U) << result.err;
+  EXPECT_NE(result.err.find("is a mesh of 1 face"), std::string::npos) << result.err;
+}
+
+TEST_P(ToolContract, CloudsWithoutAFinitePointOrTooFarAwayAreRefused)
+{
+  const float nan = std::nanf("");
+  expectFailure(onFile(pcdBytes({{nan, nan, nan}, {nan, 0, 0}})), 1);
+  expectFailure(onFile(pcdBytes({{4.5e6f, 1, 1}, {4.5e6f, 2, 1}})), 1, "mm");
+}
+
+TEST_P(ToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
+{
+  writeFile(in("input.pcd"), pcdBytes({{1, 2, 3}}));
+  const std::string folder = in("input_folder_" + GetParam().output);
+  std::filesystem::create_directory(folder);
+  for (const std::string& path :
+       {in("no_folder/" + GetParam().output), in("output.txt"), folder})
+    expectFailure(runTo(path, GetParam(), in("input.pcd")), 1);
+  expectFailure(runTo(output(), GetParam(), in("input.pcd"),
+                      {"--picture", in("no_folder/picture.png")}),
+                1, "no_folder/picture.png");
+}
+
+TEST_P(ToolContract, PicturesAreTheSameEveryTime)
+{
+  const auto draw = [&] {
+    return runOn(GetParam(), scanOf().pcd(true), {"--picture", in("picture.png")});
+  };
+  const ProgramRun first = draw();
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(first.err, "") << "quiet when piped";
+  EXPECT_TRUE(std::filesystem::exists(output()));
+  const std::string bytes = bytesOf(in("picture.png"));
+  const Image image = imageOf(bytes);
+  EXPECT_GT(image.width, 400);
+  EXPECT_LE(image.width, 1200);
+  EXPECT_GT(image.height, 200);
+  const auto blank =
+      std::count(image.pixels.begin(), image.pixels.end(), colours::paper);
+  EXPECT_LT(static_cast<double>(blank),
+            0.97 * static_cast<double>(image.pixels.size()));
+  ASSERT_EQ(draw().exit_code, 0);
+  EXPECT_TRUE(bytesOf(in("picture.png")) == bytes);
+}
+
+} // namespace
