@@ -61,6 +61,15 @@ append(std::string& bytes, const pcl::PointCloud<PointT>& cloud)
       append(bytes, value);
 }
 
+template <typename... T>
+std::string
+bytesOf(const T&... values)
+{
+  std::string bytes;
+  (append(bytes, values), ...);
+  return bytes;
+}
+
 /** A room of 4 x 3 x 2.5 m about the origin, floor at z = 0. Ceiling, floor and four
  * walls are lattices of 5 cm; points deviate by up to 2 mm and are in random order. */
 inline Cloud::Ptr
@@ -179,6 +188,22 @@ protected:
     for (const double value : bad)
       bad_.push_back([=] { set(value); });
     set(good);
+  }
+
+  /** Returns an outcome with the stage's error.
+   * @param geometry see Outcome
+   * @param rest of the whole result */
+  Outcome outcome(std::size_t size,
+                  const std::string& geometry,
+                  const std::string& rest = {}) const
+  {
+    return {size, stage_.getErrorMessage(), geometry, geometry + rest, {}, {}};
+  }
+
+  /** Returns some points of the input; none without it. */
+  Cloud pointsOf(const pcl::Indices& indices) const
+  {
+    return stage_.getInputCloud() ? Cloud(*stage_.getInputCloud(), indices) : Cloud();
   }
 
   StageT stage_;

@@ -54,17 +54,15 @@ private:
   }
 };
 
-inline void
-append(std::string& bytes, const std::vector<pcl::sedr::SurfacePoint>& points)
+inline std::string
+bytesOf(const std::vector<pcl::sedr::SurfacePoint>& points)
 {
-  for (const auto& p : points) {
-    for (int k = 0; k < 3; ++k) {
-      append(bytes, p.position[k]);
-      append(bytes, p.normal[k]);
-    }
-    append(bytes, static_cast<std::uint32_t>(p.label));
-    append(bytes, p.room);
-  }
+  std::string bytes;
+  for (const auto& p : points)
+    bytes += bytesOf(p.position.x(), p.position.y(), p.position.z(), p.normal.x(),
+                     p.normal.y(), p.normal.z(), static_cast<std::uint32_t>(p.label),
+                     p.room);
+  return bytes;
 }
 
 } // namespace contract

@@ -26,14 +26,10 @@ public:
 
   Outcome outcomeOf(const Cloud& output) const
   {
-    Outcome outcome;
-    outcome.size = output.size();
-    outcome.error = stage_.getErrorMessage();
-    outcome.removed = *stage_.getRemovedIndices();
-    append(outcome.geometry, output);
-    outcome.all = outcome.geometry;
-    append(outcome.all, *outcome.removed);
-    return outcome;
+    const pcl::Indices& removed = *stage_.getRemovedIndices();
+    Outcome result = outcome(output.size(), bytesOf(output), bytesOf(removed));
+    result.removed = removed;
+    return result;
   }
 };
 
@@ -55,37 +51,29 @@ public:
   {
     pcl::Indices kept{7, 7, 7};
     stage_.filter(kept);
-    Outcome outcome = outcomeOf(kept.size());
-    outcome.kept = kept;
-    append(outcome.all, kept);
-    if (stage_.getInputCloud())
-      append(outcome.geometry, Cloud(*stage_.getInputCloud(), kept));
-    return outcome;
+    Outcome result = outcomeOf(pointsOf(kept), bytesOf(kept));
+    result.size = kept.size();
+    result.kept = kept;
+    return result;
   }
 
   Outcome runInPlace(const Cloud::Ptr& cloud)
   {
     setInput(cloud);
     stage_.filter(*cloud);
-    Outcome outcome = outcomeOf(cloud->size());
-    append(outcome.geometry, *cloud);
-    return outcome;
+    return outcomeOf(*cloud, "");
   }
 
 private:
-  Outcome outcomeOf(std::size_t size) const
+  Outcome outcomeOf(const Cloud& output, const std::string& kept) const
   {
-    Outcome outcome;
-    outcome.size = size;
-    outcome.error = stage_.getErrorMessage();
-    outcome.removed = *stage_.getRemovedIndices();
-    append(outcome.geometry, stage_.getRegionSizes());
-    append(outcome.geometry, stage_.getThreshold());
-    append(outcome.geometry, stage_.getNumberOfRegions());
-    append(outcome.all, *outcome.removed);
-    append(outcome.all, stage_.getRegionLabels());
-    append(outcome.all, stage_.getRegionSizes());
-    return outcome;
+    const pcl::Indices& removed = *stage_.getRemovedIndices();
+    Outcome result = outcome(output.size(),
+                             bytesOf(stage_.getRegionSizes(), stage_.getThreshold(),
+                                     stage_.getNumberOfRegions(), output),
+                             kept + bytesOf(removed, stage_.getRegionLabels()));
+    result.removed = removed;
+    return result;
   }
 };
 
@@ -122,18 +110,15 @@ public:
 
   Outcome outcomeOf(const Cloud& output) const
   {
-    Outcome outcome;
-    outcome.size = output.size();
-    outcome.error = stage_.getErrorMessage();
-    outcome.removed = *stage_.getRemovedIndices();
-    append(outcome.geometry, output);
-    append(outcome.geometry, stage_.getNumberOfProjected());
-    outcome.all = outcome.geometry;
-    append(outcome.all, *outcome.removed);
-    append(outcome.all, stage_.getProjectedIndices());
-    outcome.kept = stage_.getProjectedIndices();
-    outcome.kept->resize(outcome.kept->size() - stage_.getNumberOfProjected());
-    return outcome;
+    const pcl::Indices& removed = *stage_.getRemovedIndices();
+    pcl::Indices kept = stage_.getProjectedIndices();
+    Outcome result =
+        outcome(output.size(), bytesOf(output, stage_.getNumberOfProjected()),
+                bytesOf(removed, kept));
+    kept.resize(kept.size() - stage_.getNumberOfProjected());
+    result.kept = kept;
+    result.removed = removed;
+    return result;
   }
 };
 
@@ -197,17 +182,12 @@ public:
 
   Outcome outcomeOf(const Cloud& output) const
   {
-    Outcome outcome;
-    outcome.size = output.size();
-    outcome.error = stage_.getErrorMessage();
-    outcome.kept = stage_.getSourceIndices();
-    outcome.removed = *stage_.getRemovedIndices();
-    append(outcome.geometry, output);
-    append(outcome.geometry, stage_.getSurfacePoints());
-    outcome.all = outcome.geometry;
-    append(outcome.all, *outcome.kept);
-    append(outcome.all, *outcome.removed);
-    return outcome;
+    Outcome result = this->outcome(
+        output.size(), bytesOf(output) + bytesOf(stage_.getSurfacePoints()),
+        bytesOf(stage_.getSourceIndices(), *stage_.getRemovedIndices()));
+    result.kept = stage_.getSourceIndices();
+    result.removed = *stage_.getRemovedIndices();
+    return result;
   }
 };
 
@@ -224,21 +204,18 @@ public:
 
   Outcome outcomeOf(const Cloud& output) const
   {
-    Outcome outcome;
-    outcome.error = stage_.getErrorMessage();
-    outcome.kept = pcl::Indices();
+    pcl::Indices kept;
     for (const auto i : stage_.getSourceIndices())
       if (i >= 0)
-        outcome.kept->push_back(i);
-    outcome.size = outcome.error.empty() ? outcome.kept->size() : output.size();
-    outcome.removed = *stage_.getRemovedIndices();
-    append(outcome.geometry, output);
-    append(outcome.geometry, stage_.getSurfacePoints());
-    append(outcome.geometry, stage_.getRepairedIndices());
-    outcome.all = outcome.geometry;
-    append(outcome.all, stage_.getSourceIndices());
-    append(outcome.all, *outcome.removed);
-    return outcome;
+        kept.push_back(i);
+    Outcome result =
+        this->outcome(stage_.getErrorMessage().empty() ? kept.size() : output.size(),
+                      bytesOf(output, stage_.getRepairedIndices()) +
+                          bytesOf(stage_.getSurfacePoints()),
+                      bytesOf(stage_.getSourceIndices(), *stage_.getRemovedIndices()));
+    result.kept = kept;
+    result.removed = *stage_.getRemovedIndices();
+    return result;
   }
 };
 

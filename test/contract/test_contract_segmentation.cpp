@@ -54,18 +54,15 @@ public:
     pcl::PointIndices walls;
     walls.indices = {1, 2, 3};
     stage_.segment(walls);
-    Outcome outcome;
-    outcome.size = walls.indices.size();
-    outcome.error = stage_.getErrorMessage();
-    outcome.kept = walls.indices;
+    Outcome result = outcome(walls.indices.size(), "");
     for (const pcl::Indices* indices :
          {&std::as_const(walls.indices), &stage_.getBoundaryIndices(),
           &stage_.getScopeBoundaryIndices(), &stage_.getFloorBoundaryIndices()}) {
-      append(outcome.all, *indices);
-      if (stage_.getInputCloud())
-        append(outcome.geometry, Cloud(*stage_.getInputCloud(), *indices));
+      append(result.all, *indices);
+      append(result.geometry, pointsOf(*indices));
     }
-    return outcome;
+    result.kept = walls.indices;
+    return result;
   }
 };
 
@@ -94,21 +91,17 @@ public:
   {
     std::vector<pcl::HorizontalPlane> planes(3);
     stage_.segment(planes);
-    Outcome outcome;
-    outcome.error = stage_.getErrorMessage();
+    std::size_t size = 0;
+    std::string geometry;
+    std::string indices;
     for (const auto& plane : planes) {
-      outcome.size += plane.inliers.indices.size();
-      append(outcome.geometry, plane.coefficients.values);
-      append(outcome.geometry, static_cast<int>(plane.kind));
-      append(outcome.geometry, plane.cells);
-      append(outcome.geometry, plane.area);
-      append(outcome.geometry, plane.residual);
-      append(outcome.all, plane.inliers.indices);
-      if (stage_.getInputCloud())
-        append(outcome.geometry, Cloud(*stage_.getInputCloud(), plane.inliers.indices));
+      size += plane.inliers.indices.size();
+      geometry +=
+          bytesOf(plane.coefficients.values, static_cast<int>(plane.kind), plane.cells,
+                  plane.area, plane.residual, pointsOf(plane.inliers.indices));
+      append(indices, plane.inliers.indices);
     }
-    outcome.all += outcome.geometry;
-    return outcome;
+    return outcome(size, geometry, indices);
   }
 };
 
@@ -131,26 +124,18 @@ public:
     std::vector<pcl::PointIndices> rooms(3);
     stage_.segment(rooms);
     const pcl::sedr::Building& building = stage_.getBuilding();
-    Outcome outcome;
-    outcome.error = stage_.getErrorMessage();
+    std::size_t size = 0;
+    std::string geometry = bytesOf(building.storeys.size());
+    std::string rest = bytesOf(building.room_of, building.label_of);
     for (const auto& room : rooms) {
-      outcome.size += room.indices.size();
-      append(outcome.all, room.indices);
-      if (stage_.getInputCloud())
-        append(outcome.geometry, Cloud(*stage_.getInputCloud(), room.indices));
+      size += room.indices.size();
+      append(rest, room.indices);
+      append(geometry, pointsOf(room.indices));
     }
-    append(outcome.geometry, building.storeys.size());
-    for (const auto& room : building.rooms) {
-      for (const double value : {room.floor, room.ceiling, room.area, room.enclosure})
-        append(outcome.geometry, value);
-      append(outcome.geometry, room.id);
-      append(outcome.geometry, room.storey);
-      append(outcome.geometry, room.columns.size());
-    }
-    append(outcome.all, building.room_of);
-    append(outcome.all, building.label_of);
-    outcome.all += outcome.geometry;
-    return outcome;
+    for (const auto& room : building.rooms)
+      geometry += bytesOf(room.floor, room.ceiling, room.area, room.enclosure, room.id,
+                          room.storey, room.columns.size());
+    return outcome(size, geometry, rest);
   }
 };
 
@@ -190,19 +175,12 @@ public:
     pcl::PointIndices details;
     details.indices = {1, 2, 3};
     stage_.segment(details);
-    Outcome outcome;
-    outcome.size = details.indices.size();
-    outcome.error = stage_.getErrorMessage();
-    append(outcome.geometry, stage_.getRegionLabels());
-    append(outcome.geometry, stage_.getRegionSizes());
-    append(outcome.geometry, stage_.getTrial());
-    if (!details.indices.empty())
-      append(outcome.geometry, stage_.getSliceHeight());
-    if (stage_.getInputCloud())
-      append(outcome.geometry, Cloud(*stage_.getInputCloud(), details.indices));
-    outcome.all = outcome.geometry;
-    append(outcome.all, details.indices);
-    return outcome;
+    const bool is_found = !details.indices.empty();
+    return outcome(details.indices.size(),
+                   bytesOf(stage_.getRegionLabels(), stage_.getRegionSizes(),
+                           stage_.getTrial(), is_found ? stage_.getSliceHeight() : 0,
+                           pointsOf(details.indices)),
+                   bytesOf(details.indices));
   }
 
 private:
@@ -246,24 +224,18 @@ public:
     pcl::sedr::Floorplan plan;
     plan.rooms.resize(2);
     stage_.segment(plan);
-    Outcome outcome;
-    outcome.error = stage_.getErrorMessage();
+    std::size_t size = 0;
+    std::string geometry;
     for (const auto& room : plan.rooms) {
-      append(outcome.geometry, room.id);
-      for (const auto* slab : {&room.floor, &room.ceiling}) {
-        for (int k = 0; k < 4; ++k)
-          append(outcome.geometry, slab->plane[k]);
-        append(outcome.geometry, slab->inliers);
-      }
-      for (const auto& e : room.boundary.elements) {
-        ++outcome.size;
-        for (const double value : {e.start.x(), e.start.y(), e.radius, e.residual})
-          append(outcome.geometry, value);
-        append(outcome.geometry, e.inliers);
-      }
+      append(geometry, room.id);
+      for (const auto* slab : {&room.floor, &room.ceiling})
+        geometry += bytesOf(slab->plane[0], slab->plane[1], slab->plane[2],
+                            slab->plane[3], slab->inliers);
+      size += room.boundary.elements.size();
+      for (const auto& e : room.boundary.elements)
+        geometry += bytesOf(e.start.x(), e.start.y(), e.radius, e.residual, e.inliers);
     }
-    outcome.all = outcome.geometry;
-    return outcome;
+    return outcome(size, geometry);
   }
 
 private:

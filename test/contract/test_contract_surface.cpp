@@ -9,17 +9,13 @@
 
 namespace contract {
 
-Outcome
-outcomeOf(const pcl::PolygonMesh& mesh, const std::string& error)
+std::string
+bytesOf(const pcl::PolygonMesh& mesh)
 {
-  Outcome outcome;
-  outcome.size = mesh.polygons.size();
-  outcome.error = error;
-  append(outcome.geometry, mesh.cloud.data);
+  std::string bytes = bytesOf(mesh.cloud.data);
   for (const auto& polygon : mesh.polygons)
-    append(outcome.geometry, polygon.vertices);
-  outcome.all = outcome.geometry;
-  return outcome;
+    append(bytes, polygon.vertices);
+  return bytes;
 }
 
 /** The plan is that of the sample room, or null for fewer than 100 points. The size is
@@ -47,7 +43,7 @@ public:
     pcl::PolygonMesh mesh;
     mesh.polygons.resize(3);
     stage_.reconstruct(mesh);
-    return outcomeOf(mesh, stage_.getErrorMessage());
+    return outcome(mesh.polygons.size(), bytesOf(mesh));
   }
 };
 
@@ -72,23 +68,15 @@ public:
   Outcome run()
   {
     stage_.findStructure();
-    Outcome outcome;
-    outcome.error = stage_.getErrorMessage();
+    std::string geometry;
     const auto structure = stage_.getStructure();
-    outcome.size = structure->size();
-    for (const auto& p : *structure) {
-      for (const float value : {p.x, p.y, p.z, p.normal_x, p.normal_y, p.normal_z})
-        append(outcome.geometry, value);
-      append(outcome.geometry, p.label);
-      append(outcome.geometry, p.room);
-    }
+    for (const auto& p : *structure)
+      geometry +=
+          bytesOf(p.x, p.y, p.z, p.normal_x, p.normal_y, p.normal_z, p.label, p.room);
     for (const auto& room : stage_.getFloorplan()->rooms)
-      for (const auto& e : room.boundary.elements) {
-        append(outcome.geometry, e.start.x());
-        append(outcome.geometry, e.start.y());
-      }
-    outcome.all = outcome.geometry + stage_.getModel().failed_stage;
-    return outcome;
+      for (const auto& e : room.boundary.elements)
+        geometry += bytesOf(e.start.x(), e.start.y());
+    return outcome(structure->size(), geometry, stage_.getModel().failed_stage);
   }
 };
 
@@ -121,7 +109,7 @@ public:
     pcl::PolygonMesh mesh;
     mesh.polygons.resize(3);
     stage_.reconstruct(mesh);
-    return outcomeOf(mesh, stage_.getErrorMessage());
+    return outcome(mesh.polygons.size(), bytesOf(mesh));
   }
 
 private:
