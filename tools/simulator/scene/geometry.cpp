@@ -30,12 +30,6 @@ elementBetween(const Vec2& start, const Vec2& end, double bulge)
 }
 
 Loop
-rectangleLoop(const Vec2& min, const Vec2& max)
-{
-  return loopOf({min, {max.x(), min.y()}, max, {min.x(), max.y()}});
-}
-
-Loop
 circleLoop(const Vec2& centre, double radius)
 {
   const Vec2 reach(radius, 0.0);
@@ -46,8 +40,7 @@ circleLoop(const Vec2& centre, double radius)
 Vec2
 pointBeside(const Element& element, double s, double distance)
 {
-  const Vec2 left = element.normalAt(s);
-  return element.pointAt(s) - distance * left;
+  return element.pointAt(s) - distance * element.normalAt(s);
 }
 
 Element

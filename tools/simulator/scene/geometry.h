@@ -35,13 +35,6 @@ constexpr double kCurveTolerance = 1e-4;
 /** @brief Points of the plan closer than this are the same, metres. */
 constexpr double kSamePoint = 1e-6;
 
-/** @brief Returns @p a rotated by 90 degrees counter-clockwise. */
-inline Vec2
-leftOf(const Vec2& a)
-{
-  return {-a.y(), a.x()};
-}
-
 /** @brief Returns @p a rotated counter-clockwise by @p angle. */
 inline Vec2
 rotated(const Vec2& a, double angle)
@@ -86,8 +79,6 @@ fail(const Parts&... parts)
 /** @brief Returns the arc from @p start to @p end; a segment if @p bulge is 0.
  * @param bulge tan(included angle / 4), positive if the arc turns left */
 Element elementBetween(const Vec2& start, const Vec2& end, double bulge = 0.0);
-
-Loop rectangleLoop(const Vec2& min, const Vec2& max);
 
 /** @brief Returns a circle of two half circles. */
 Loop circleLoop(const Vec2& centre, double radius);

@@ -8,7 +8,6 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr std::size_t kMostSteps = 200; ///< of a flight of stairs
-constexpr double kChairWidth = 0.45;    ///< metres, also the depth
 
 void
 addCentred(Assembly& assembly, double width, double depth, double low, double high)
@@ -23,31 +22,6 @@ addLegs(Assembly& assembly, double half_width, double half_depth, double height)
   for (const double x : {-half_width, half_width - thickness})
     for (const double y : {-half_depth, half_depth - thickness})
       assembly.addBox({x, y, 0.0}, {x + thickness, y + thickness, height});
-}
-
-void
-buildBlock(const JsonView& view, Assembly& assembly)
-{
-  const Vec3 size = view.at("size").size3();
-  addCentred(assembly, size.x(), size.y(), 0.0, size.z());
-}
-
-void
-buildTable(const JsonView& view, Assembly& assembly)
-{
-  const Vec3 size = view.at("size").size3();
-  const double under = size.z() - 0.03;
-  addCentred(assembly, size.x(), size.y(), under, size.z());
-  addLegs(assembly, 0.5 * size.x() - 0.04, 0.5 * size.y() - 0.04, under);
-}
-
-void
-buildChair(const JsonView&, Assembly& assembly)
-{
-  constexpr double half = 0.5 * kChairWidth;
-  addLegs(assembly, half, half, 0.43);
-  addCentred(assembly, kChairWidth, kChairWidth, 0.43, 0.47);
-  assembly.addBox({-half, half - 0.04, 0.47}, {half, half, 0.92});
 }
 
 /** @brief Adds books of varying height on about two thirds of a board's width. */
@@ -89,23 +63,6 @@ buildShelf(const JsonView& view, Assembly& assembly)
   }
 }
 
-void
-buildCylinder(const JsonView& view, Assembly& assembly)
-{
-  assembly.addCylinder(Vec3::Zero(), view.at("radius").size(),
-                       view.at("height").size());
-}
-
-void
-buildTree(const JsonView& view, Assembly& assembly)
-{
-  const double height = view.at("height").size();
-  const double crown = view.at("crown").size();
-  assembly.addCylinder(Vec3::Zero(), 0.15, 0.4 * height);
-  assembly.addCylinder({0.0, 0.0, 0.4 * height}, crown, 0.4 * height);
-  assembly.addCylinder({0.0, 0.0, 0.8 * height}, 0.6 * crown, 0.2 * height);
-}
-
 /** @brief Builds a straight flight that climbs along y from its foot. */
 void
 buildStairs(const JsonView& view, Assembly& assembly)
@@ -123,24 +80,6 @@ buildStairs(const JsonView& view, Assembly& assembly)
     const double bottom = is_solid ? 0.0 : std::max(0.0, top - rise - thickness);
     assembly.addBox({-half, y, bottom}, {half, y + going, top});
   }
-}
-
-/** @brief Builds a shade on a cord. */
-void
-buildLamp(const JsonView& view, Assembly& assembly)
-{
-  const double drop = view.at("drop").size();
-  const double shade = std::min(0.25, 0.5 * drop);
-  assembly.addCylinder({0.0, 0.0, -drop}, view.at("radius").size(), shade);
-  assembly.addCylinder({0.0, 0.0, shade - drop}, 0.008, drop - shade);
-}
-
-/** @brief Builds the leaf of a door, 4 cm thick, from its hinge along x. */
-void
-buildDoorLeaf(const JsonView& view, Assembly& assembly)
-{
-  assembly.addBox({0.0, -0.02, 0.01},
-                  {view.at("width").size(), 0.02, view.at("height").size()});
 }
 
 } // namespace
@@ -188,31 +127,73 @@ Assembly::moved(const Vec3& point) const
   return lifted(spot_.center + rotated(plan(point), spot_.yaw), spot_.z + point.z());
 }
 
+Vec2
+Assembly::footprint() const
+{
+  Box2 box;
+  for (const Prism& part : object.parts)
+    for (const Vec2& corner : part.corners)
+      box.extend(corner);
+  return box.sizes();
+}
+
 const std::map<std::string, Kind>&
 furnitureKinds()
 {
-  const auto sized = [](const JsonView& view) {
-    return Vec2(plan(view.at("size").size3()));
-  };
-  const auto round = [](const JsonView& view) {
-    return Vec2(Vec2::Constant(2.0 * view.at("radius").size()));
-  };
-  const auto crown = [](const JsonView& view) {
-    return Vec2(Vec2::Constant(2.0 * view.at("crown").size()));
-  };
-  const auto chair = [](const JsonView&) { return Vec2(kChairWidth, kChairWidth); };
-  const auto none = [](const JsonView&) { return Vec2(0.0, 0.0); };
-  const auto floor = Standing::OnFloor;
+  using View = const JsonView&;
+  constexpr auto floor = Standing::OnFloor;
   static const std::map<std::string, Kind> kinds{
-      {"block", {"block", floor, false, sized, buildBlock}},
-      {"chair", {"chair", floor, false, chair, buildChair}},
-      {"cylinder", {"cylinder", floor, false, round, buildCylinder}},
-      {"door_leaf", {"door leaf", Standing::Hinged, true, none, buildDoorLeaf}},
-      {"lamp", {"lamp", Standing::BelowCeiling, true, none, buildLamp}},
-      {"shelf", {"shelf", floor, false, sized, buildShelf}},
-      {"stairs", {kStairs, floor, true, none, buildStairs}},
-      {"table", {"table", floor, false, sized, buildTable}},
-      {"tree", {"tree", floor, false, crown, buildTree}}};
+      {"block",
+       {"block", floor, false,
+        [](View view, Assembly& block) {
+          const Vec3 size = view.at("size").size3();
+          addCentred(block, size.x(), size.y(), 0.0, size.z());
+        }}},
+      {"chair",
+       {"chair", floor, false,
+        [](View, Assembly& chair) {
+          constexpr double half = 0.225;
+          addLegs(chair, half, half, 0.43);
+          addCentred(chair, 2 * half, 2 * half, 0.43, 0.47);
+          chair.addBox({-half, half - 0.04, 0.47}, {half, half, 0.92});
+        }}},
+      {"cylinder",
+       {"cylinder", floor, false,
+        [](View view, Assembly& cylinder) {
+          cylinder.addCylinder(Vec3::Zero(), view.at("radius").size(),
+                               view.at("height").size());
+        }}},
+      {"door_leaf", // 4 cm thick, from its hinge along x
+       {"door leaf", Standing::Hinged, true,
+        [](View view, Assembly& leaf) {
+          leaf.addBox({0.0, -0.02, 0.01},
+                      {view.at("width").size(), 0.02, view.at("height").size()});
+        }}},
+      {"lamp", // a shade on a cord
+       {"lamp", Standing::BelowCeiling, true,
+        [](View view, Assembly& lamp) {
+          const double drop = view.at("drop").size();
+          const double shade = std::min(0.25, 0.5 * drop);
+          lamp.addCylinder({0.0, 0.0, -drop}, view.at("radius").size(), shade);
+          lamp.addCylinder({0.0, 0.0, shade - drop}, 0.008, drop - shade);
+        }}},
+      {"shelf", {"shelf", floor, false, buildShelf}},
+      {"stairs", {kStairs, floor, true, buildStairs}},
+      {"table",
+       {"table", floor, false,
+        [](View view, Assembly& table) {
+          const Vec3 size = view.at("size").size3();
+          const double under = size.z() - 0.03;
+          addCentred(table, size.x(), size.y(), under, size.z());
+          addLegs(table, 0.5 * size.x() - 0.04, 0.5 * size.y() - 0.04, under);
+        }}},
+      {"tree", {"tree", floor, false, [](View view, Assembly& tree) {
+                  const double height = view.at("height").size();
+                  const double crown = view.at("crown").size();
+                  tree.addCylinder(Vec3::Zero(), 0.15, 0.4 * height);
+                  tree.addCylinder({0.0, 0.0, 0.4 * height}, crown, 0.4 * height);
+                  tree.addCylinder({0.0, 0.0, 0.8 * height}, 0.6 * crown, 0.2 * height);
+                }}}};
   return kinds;
 }
 

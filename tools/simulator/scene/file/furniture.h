@@ -32,6 +32,9 @@ public:
   /** @brief Adds a cylinder in facets within kCurveTolerance. */
   void addCylinder(const Vec3& base, double radius, double height);
 
+  /** @brief Returns the width and depth of all parts. */
+  Vec2 footprint() const;
+
   Object object;
 
 private:
@@ -48,8 +51,6 @@ struct Kind {
   std::string name; ///< of its objects, unless the file gives another
   Standing standing = Standing::OnFloor;
   bool is_indoors = false; ///< in rooms only
-  /// Returns width and depth, for a place at a wall.
-  std::function<Vec2(const JsonView&)> footprint;
   std::function<void(const JsonView&, Assembly&)> build;
 };
 

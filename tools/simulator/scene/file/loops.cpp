@@ -10,26 +10,6 @@ namespace {
 constexpr double kShortest = 1e-3; ///< metres; corners closer than this are a mistake
 constexpr double kLargestBulge = 10.0;
 
-Loop
-readRectangle(const JsonView& view)
-{
-  const JsonView corners = view.at("rectangle");
-  const auto points = corners.items(2);
-  if (points.size() != 2)
-    corners.fail("must be two corners, [[x, y], [x, y]]");
-  const Vec2 min = points[0].point2();
-  const Vec2 max = points[1].point2();
-  if (!(max.x() - min.x() >= kShortest && max.y() - min.y() >= kShortest))
-    corners.fail("must give the corner of smaller x and y first");
-  return rectangleLoop(min, max);
-}
-
-Loop
-readCircle(const JsonView& view)
-{
-  return circleLoop(view.at("circle").point2(), view.at("radius").size());
-}
-
 Vec2
 readPosition(const JsonView& corner)
 {
@@ -42,15 +22,13 @@ readBulge(const JsonView& corner, double chord)
 {
   if (!corner.isObject())
     return 0.0;
-  if (corner.find("bulge")) {
-    return corner.at("bulge").number(-kLargestBulge, kLargestBulge);
-  }
+  if (const auto bulge = corner.find("bulge"))
+    return bulge->number(-kLargestBulge, kLargestBulge);
   const double radius = corner.at("radius").number();
-  if (std::abs(radius) < 0.5 * chord) {
+  if (std::abs(radius) < 0.5 * chord)
     corner.at("radius").fail("is " + numberText(radius) +
                              ", too small for an arc to a corner " + numberText(chord) +
                              " m away");
-  }
   return std::tan(0.5 * std::asin(0.5 * chord / radius));
 }
 
@@ -77,11 +55,18 @@ readLoop(const JsonView& view)
 {
   if (view.isList())
     return readCorners(view);
-  if (view.find("rectangle"))
-    return readRectangle(view);
   if (view.find("circle"))
-    return readCircle(view);
-  view.fail("must be a list of corners, a \"rectangle\" or a \"circle\"");
+    return circleLoop(view.at("circle").point2(), view.at("radius").size());
+  const auto rectangle = view.find("rectangle");
+  if (!rectangle)
+    view.fail("must be a list of corners, a \"rectangle\" or a \"circle\"");
+  const auto corners = rectangle->items(2);
+  if (corners.size() != 2)
+    rectangle->fail("must be two corners, [[x, y], [x, y]]");
+  const Box2 box(corners[0].point2(), corners[1].point2());
+  if ((box.sizes().array() < kShortest).any())
+    rectangle->fail("must give the corner of smaller x and y first");
+  return loopAround(box);
 }
 
 } // namespace pcl::sedr::sim

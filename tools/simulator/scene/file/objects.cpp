@@ -69,8 +69,12 @@ private:
   /** @brief Returns where objects of a kind are: one place, or a row at a wall. */
   std::vector<Spot> spotsOf(const Kind& kind, const JsonView& view) const
   {
-    if (kind.standing == Standing::OnFloor && room_ && !is_group_ && view.find("wall"))
-      return spotsAtWall(view, kind.footprint(view));
+    if (kind.standing == Standing::OnFloor && room_ && !is_group_ &&
+        view.find("wall")) {
+      Assembly sample(kind.name, {});
+      kind.build(view, sample);
+      return spotsAtWall(view, sample.footprint());
+    }
     const bool is_hinged = kind.standing == Standing::Hinged;
     const Vec2 place = toScene(view.at(is_hinged ? "hinge" : "at").point2());
     return {{place, yawOf(view, is_hinged ? "direction" : "yaw"),

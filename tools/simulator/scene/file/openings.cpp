@@ -44,11 +44,10 @@ addLeaves(const Element& wall, const Opening& opening, Scene& scene)
     return addPlate(wall, 0.5 * (opening.from + opening.to), 0.5 * opening.depth,
                     {width, 2 * half, height}, opening.sill, "door leaf",
                     scene.outside);
-  for (const char* hinge : {"from", "to"}) {
-    const bool is_double = opening.leaf->hinge == "both";
-    if (!is_double && opening.leaf->hinge != hinge)
+  const bool is_double = opening.leaf->hinge == "both";
+  for (const bool at_start : {true, false}) {
+    if (!is_double && opening.leaf->hinge != (at_start ? "from" : "to"))
       continue;
-    const bool at_start = hinge == std::string("from");
     const double s =
         at_start ? opening.from - kLeafStandOff : opening.to + kLeafStandOff;
     const double along = directionOf(-leftOf(wall.normalAt(s))); // of the wall
