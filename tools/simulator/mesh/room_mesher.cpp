@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_mesher.h"
+#include "room_plan.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_mesh.h"
 
-#include "room_mesher.h"
+#include "room_plan.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -3,7 +3,6 @@
 
 #include "json_view.h"
 #include "scene_parts.h"
-#include "simulator/check/scene_check.h"
 #include "simulator/scene/queries.h"
 
 #include <algorithm>

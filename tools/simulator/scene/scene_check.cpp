@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene_check.h"
-
+#include "queries.h"
+#include "scenes.h"
 #include "simulator/mesh/scene_mesh.h"
-#include "simulator/scene/queries.h"
 
 #include <algorithm>
 #include <optional>
