@@ -32,40 +32,6 @@ areaOf(const PlanCells::Polygon& polygon)
 
 const Eigen::AlignedBox2d square(Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 10));
 
-TEST(PlanCells, AreAtTheEdgeUnlessDividersAreAround)
-{
-  std::vector<PlanDivider> dividers;
-  for (const double at : {3.0, 7.0}) {
-    const auto k = static_cast<std::uint32_t>(dividers.size());
-    dividers.push_back({{at, 0}, {at, 10}, k});
-    dividers.push_back({{0, at}, {10, at}, k + 1});
-  }
-  const PlanCells cells(square, dividers);
-  ASSERT_EQ(cells.polygons().size(), 9U);
-  for (std::size_t c = 0; c < 9; ++c)
-    EXPECT_EQ(cells.isAtEdge(c), std::abs(areaOf(cells.polygons()[c]) - 16) > 1e-9);
-}
-
-TEST(PlanCells, AreTheWholeBoxWithoutDividers)
-{
-  const PlanCells cells(square, {});
-  ASSERT_EQ(cells.polygons().size(), 1U);
-  EXPECT_DOUBLE_EQ(areaOf(cells.polygons()[0]), 100);
-  EXPECT_TRUE(cells.borders().empty());
-}
-
-TEST(PlanCells, MeetAlongADividerOnItsTwoSides)
-{
-  const PlanCells cells(square, {{{4, -1}, {4, 11}, 7}});
-  ASSERT_EQ(cells.polygons().size(), 2U);
-  ASSERT_EQ(cells.borders().size(), 1U);
-  const CellBorder& border = cells.borders()[0];
-  EXPECT_EQ(border.line, 7U);
-  EXPECT_NEAR(border.length(), 10, 1e-9);
-  EXPECT_NEAR(areaOf(cells.polygons()[border.left]), 40, 1e-9);
-  EXPECT_NEAR(areaOf(cells.polygons()[border.right]), 60, 1e-9);
-}
-
 TEST(PlanCells, ADividerEndsAtTheNextOne)
 {
   const PlanCells cells(square, {{{4, 0}, {4, 10}, 0}, {{4.5, 5}, {6, 5}, 1}});
@@ -159,20 +125,6 @@ private:
     return curves;
   }
 };
-
-TEST(LabelLoops, HaveAnElementALineAroundAnLShapedRoom)
-{
-  const LabelledGrid grid([](const Eigen::Vector2d& p) {
-    const bool is_inside = p.x() > 1 && p.y() > 1 && p.x() < 8 && p.y() < 6;
-    return is_inside && !(p.x() > 5 && p.y() > 3) ? 1 : 0;
-  });
-  const PlanLoop loop = grid.loop(1);
-  EXPECT_EQ(loop.elements.size(), 6U);
-  EXPECT_NEAR(loop.area(), 7 * 5 - 3 * 3, 1e-9);
-  for (std::size_t i = 0; i < loop.elements.size(); ++i)
-    EXPECT_EQ(loop.elements[i].end, loop.elements[(i + 1) % 6].start);
-  EXPECT_TRUE(grid.loop(2).elements.empty());
-}
 
 TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
 {

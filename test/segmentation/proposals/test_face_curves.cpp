@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What the shapes of whole plans do not show of their faces.
 #include "../../plan_loops.h"
 #include "sedr_segmentation/src/proposals/face_curves.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -29,65 +29,6 @@ placesOn(const std::vector<PlanLoop>& loops, double noise, double spacing = 0.05
         for (int k = 0; k < 8; ++k)
           places.emplace_back(e.pointAt(s) + Eigen::Vector2d(off(random), off(random)));
   return places;
-}
-
-/** Expects a curve for each element, and no other. */
-void
-expectCurves(const std::vector<PlanLoop>& loops, double noise, double tolerance)
-{
-  const FaceCurves found = pcl::sedr::faceCurves(placesOn(loops, noise));
-  std::size_t elements = 0;
-  for (const PlanLoop& loop : loops)
-    for (const auto& e : loop.elements) {
-      ++elements;
-      EXPECT_TRUE(std::any_of(
-          found.curves.begin(), found.curves.end(),
-          [&](const FaceCurve& face) {
-            if (face.curve.isCircle() != e.isArc())
-              return false;
-            double worst = 0;
-            for (double t = 0.05; t < 1; t += 0.1)
-              worst = std::max(worst, face.curve.distance(e.pointAt(t * e.length())));
-            return worst < tolerance;
-          }))
-          << "element " << elements;
-    }
-  EXPECT_LE(found.curves.size(), elements);
-}
-
-TEST(FaceCurves, AreOneForEachWallOfARoomAtAnyAngle)
-{
-  const PlanLoop room = polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}});
-  for (const double degrees : {0, 3, 17, 45, 88})
-    for (const double noise : {0.0, 0.005, 0.02}) {
-      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
-      expectCurves({placed(room, degrees, {1.013, -7.021})}, noise, 0.002 + noise / 3);
-    }
-}
-
-TEST(FaceCurves, ArcsTangentToWallsAreNoLines)
-{
-  for (const double noise : {0.001, 0.01})
-    for (const PlanLoop& room : {stadium(4, 1.5), roundedRectangle(6, 4, 1)}) {
-      SCOPED_TRACE(noise);
-      expectCurves({placed(room, 33, {0.017, 0.023})}, noise, 0.004 + noise / 2);
-    }
-}
-
-TEST(FaceCurves, ColumnsAndFacesOfThirtyCentimetresAreFound)
-{
-  expectCurves(
-      {polygon(
-           {{0, 0}, {2, 0}, {2, 0.3}, {2.4, 0.3}, {2.4, 0}, {5, 0}, {5, 3}, {0, 3}}),
-       circle({1, 1.5}, 0.25), circle({3.2, 1.6}, 0.4),
-       placed(rectangle(-0.3, -0.3, 0.3, 0.3), 30, {4.2, 1.4})},
-      0.002, 0.004);
-}
-
-TEST(FaceCurves, ChamfersAndBentWallsAreLines)
-{
-  expectCurves({polygon({{0.5, 0}, {5, 0}, {5, 4}, {0, 4}, {0, 0.5}})}, 0.003, 0.004);
-  expectCurves({polygon({{0, 0}, {6, 0}, {6, 3}, {3, 3.315}, {0, 3}})}, 0.003, 0.004);
 }
 
 TEST(FaceCurves, OfSparseScansAreTheSame)

@@ -35,24 +35,6 @@ fitOf(ShapeKind kind, const std::vector<Eigen::Vector3d>& points)
   return slab;
 }
 
-TEST(ShapeFit, APlaneIsFoundAmongStrays)
-{
-  const auto points =
-      pointsOf([](double x, double y) { return 2 + 0.5 * x - 0.2 * y; }, 0.005);
-  const PlanSlab slab = fitOf(ShapeKind::Plane, points);
-  EXPECT_NEAR(slab.heightAt({2, 1}), 2.8, 0.001);
-  EXPECT_NEAR(-slab.plane[0] / slab.plane[2], 0.5, 0.001);
-}
-
-TEST(ShapeFit, ALevelPlaneStaysLevelBelowAHigherEdge)
-{
-  const auto points =
-      pointsOf([](double x, double) { return x < 3.6 ? 2.5 : 2.6; }, 0.005);
-  const PlanSlab slab = fitOf(ShapeKind::Level, points);
-  EXPECT_NEAR(slab.heightAt({0, 0}), 2.5, 0.001);
-  EXPECT_TRUE(slab.plane.head<2>().isZero(0));
-}
-
 TEST(ShapeFit, ACylinderIsFoundInAnyDirection)
 {
   for (const double degrees : {0.0, 25.0, 90.0, 140.0}) {
@@ -72,17 +54,8 @@ TEST(ShapeFit, ACylinderIsFoundInAnyDirection)
   }
 }
 
-TEST(ShapeFit, ASphereAndAnEllipsoidAreFound)
+TEST(ShapeFit, AnEllipsoidIsFound)
 {
-  const auto sphere = pointsOf(
-      [](double x, double y) {
-        return 0.5 + std::sqrt(16 - std::pow(x - 2, 2) - std::pow(y - 1.5, 2));
-      },
-      0.005);
-  const PlanSlab cap = fitOf(ShapeKind::Sphere, sphere);
-  ASSERT_TRUE(cap.curve);
-  EXPECT_NEAR(cap.curve->up, 4, 0.04);
-  EXPECT_TRUE(cap.curve->isSphere());
   const auto flat = [](double x, double y) {
     return 2 + std::sqrt(1 - std::pow((x - 2) / 3, 2) - std::pow((y - 1.5) / 2.2, 2));
   };
