@@ -137,20 +137,13 @@ TEST_F(StageTools, KeepTheFieldsOfAllPoints)
   }
 }
 
-TEST_F(StageTools, VoxelGridTakesItsOptionsAndPly)
+TEST_F(StageTools, VoxelGridTakesItsOptions)
 {
   const Strings points{"0.01 0 0 1 0 1", "0.2 0 0 1 0 2", "0.3 0 0 2 0 3",
                        "5 0 0 1 0 4"};
   const ToolCloud cloud =
       onPoints(PARALLEL_VOXEL_GRID, points, {"--leaf", "1", "--min-points", "2"});
   EXPECT_EQ(floatField(cloud.blob, "intensity"), (Numbers{2}));
-  writeFile(in("a.ply"),
-            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
-            "y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty "
-            "uchar blue\nend_header\n1 2 3 10 20 30\n");
-  EXPECT_EQ(run(PARALLEL_VOXEL_GRID, {in("a.ply"), in("b.ply")}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("b.ply")).find("property uchar green"), std::string::npos);
-  EXPECT_EQ(loadCloud(in("b.ply")).blob.data, loadCloud(in("a.ply")).blob.data);
 }
 
 TEST_F(StageTools, PlaneDetectionListsPlanesForgetsRoomsAndDoubtsTheAxis)

@@ -61,25 +61,6 @@ TEST_P(ToolContract, FilesThatAreNoCloudsAreRefused)
     expectFailure(onFile(bytes), 1);
 }
 
-TEST_P(ToolContract, AMeshIsToldFromACloud)
-{
-  const ProgramRun result =
-      onFile("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
-             "property float y\nproperty float z\nelement face 1\n"
-             "property list uchar int vertex_indices\nend_header\n"
-             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const std::string name = std::filesystem::path(program()).filename();
-  EXPECT_EQ(result.err.rfind(name + ": warning: '", 0), 0U) << result.err;
-  EXPECT_NE(result.err.find("is a mesh of 1 face"), std::string::npos) << result.err;
-}
-
-TEST_P(ToolContract, CloudsWithoutAFinitePointOrTooFarAwayAreRefused)
-{
-  const float nan = std::nanf("");
-  expectFailure(onFile(pcdBytes({{nan, nan, nan}, {nan, 0, 0}})), 1);
-  expectFailure(onFile(pcdBytes({{4.5e6f, 1, 1}, {4.5e6f, 2, 1}})), 1, "mm");
-}
-
 TEST_P(ToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
 {
   writeFile(in("input.pcd"), pcdBytes({{1, 2, 3}}));
