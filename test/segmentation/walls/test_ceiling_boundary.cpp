@@ -75,40 +75,4 @@ TEST(CeilingBoundaryWallGrowing, BoundaryAtAHighStepIsThatOfPclBoundaryEstimatio
   EXPECT_EQ(growing.getBoundaryIndices(), expected);
 }
 
-TEST(CeilingBoundaryWallGrowing, BoundaryOfASquareIsItsOutermostRow)
-{
-  Scene scene;
-  const auto ceiling = scene.slab(0, 3, 0, 3, 2.5f);
-  Growing growing = growingOn(scene, ceiling);
-  wallsOf(growing);
-  pcl::Indices expected;
-  for (const auto i : ceiling) {
-    const auto& p = (*scene.cloud)[static_cast<std::size_t>(i)];
-    if (p.x == 0 || p.x == 3 || p.y == 0 || p.y == 3)
-      expected.push_back(i);
-  }
-  EXPECT_EQ(expected.size(), 4u * 48u);
-  EXPECT_EQ(growing.getBoundaryIndices(), expected);
-}
-
-TEST(CeilingBoundaryWallGrowing, RimOfAHoleIsBoundary)
-{
-  Scene scene;
-  const auto hole = [](float x, float y) {
-    return std::max(std::abs(x - 2), std::abs(y - 2));
-  };
-  const auto ceiling = scene.slab(
-      0, 4, 0, 4, 2.5f, [&](float x, float y) { return hole(x, y) > 0.3125f; });
-  Growing growing = growingOn(scene, ceiling);
-  wallsOf(growing);
-  std::size_t rim = 0;
-  for (const auto i : growing.getBoundaryIndices()) {
-    const auto& p = (*scene.cloud)[static_cast<std::size_t>(i)];
-    const bool outermost = p.x == 0 || p.x == 4 || p.y == 0 || p.y == 4;
-    EXPECT_TRUE(outermost || hole(p.x, p.y) == 0.375f) << p;
-    rim += !outermost;
-  }
-  EXPECT_EQ(rim, 48u); // 13 x 13 points around 11 x 11 missing ones
-}
-
 } // namespace

@@ -18,7 +18,6 @@ namespace wall_growing {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
 
-constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float step = 0.0625f; // multiples add and subtract without rounding
 
 inline pcl::IndicesPtr
