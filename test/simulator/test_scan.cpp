@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 namespace pcl::sedr::sim::test {
 namespace {
@@ -29,14 +28,6 @@ countWithin(const Scan& scan, Label label, std::uint32_t room, Vec3 low, Vec3 hi
     count += p.room == room && p.label == static_cast<std::uint32_t>(label) &&
              box.contains(placeOf(p));
   return count;
-}
-
-bool
-sameBytes(const Scan& a, const Scan& b)
-{
-  return a.points.size() == b.points.size() &&
-         std::memcmp(a.points.data(), b.points.data(),
-                     a.points.size() * sizeof(ScanPoint)) == 0;
 }
 
 TEST(RayCaster, givesDistancesInDoublePrecisionFarFromTheOrigin)
@@ -105,21 +96,6 @@ TEST(Scan, noiseIsGaussianAlongTheRay)
   const auto count = static_cast<double>(clean.points.size());
   EXPECT_NEAR(sum / count, 0, 2e-4);
   EXPECT_NEAR(std::sqrt(squares / count), 0.01, 1.5e-4);
-}
-
-TEST(Scan, sameSeedGivesTheSameBytesForAnyNumberOfThreads)
-{
-  const Scene scene = sceneNamed("bls_room");
-  ScanOptions options;
-  options.rays_per_station = 700;
-  options.threads = 1;
-  const Scan one = scan(scene, options);
-  for (const unsigned threads : {2U, 5U}) {
-    options.threads = threads;
-    EXPECT_TRUE(sameBytes(one, scan(scene, options))) << threads;
-  }
-  options.seed = 2;
-  EXPECT_FALSE(sameBytes(one, scan(scene, options)));
 }
 
 TEST(Scan, pointsAreGroupedByPositionAndWithinTheRange)
