@@ -12,9 +12,9 @@ namespace pcl::sedr {
 
 /** @brief Returns what is seen behind the vertical plane through a line, to its left:
  * edges between elements of the solids of all rooms, outlines of openings, and of
- * curved walls where they turn away, flights of stairs, also where they are cut. Visible
- * is what no face hides; one looks through passages. Places are metres along the line from its start, and
- * heights. O(edges times faces behind each other).
+ * curved walls where they turn away, flights of stairs, also where they are cut.
+ * Visible is what no face hides; one looks through passages. Places are metres along
+ * the line from its start, and heights. O(edges times faces behind each other).
  * @param cut what hides all behind it: where the plane cuts the building */
 std::vector<PlanLine> linesBeyond(const Floorplan& plan,
                                   const SectionLine& line,
