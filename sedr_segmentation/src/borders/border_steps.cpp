@@ -44,7 +44,7 @@ BorderSteps::append(const std::vector<Place>& vertices,
       sample += shift;
     // What runs on along the same line is one step.
     if (!parts.empty() && !parts.back().meets() &&
-        std::abs(parts.back().normal.dot(part.normal)) > 0.999 &&
+        parts.back().normal.dot(part.normal) > 0.999 &&
         std::abs(part.normal.dot(parts.back().through - part.through)) <
             cracks_.cellSize()) {
       parts.back().samples.push_back(part.samples.back());

@@ -12,18 +12,20 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief The lowest and the highest of the facets near a cell, above its middle; none
- * at a wall, whose points are no riser's. */
+/** @brief Checks whether a cell is at a wall, whose points are no riser's. */
+bool
+isAtWall(const FacetSheet& sheet, std::size_t cell)
+{
+  bool is_inside = true;
+  return !sheet.grid.forAllWithin(cell, RiserBins::to_wall, [&](std::size_t near) {
+    is_inside = is_inside && sheet.is_inside[near] != 0;
+  }) || !is_inside;
+}
+
+/** @brief The lowest and the highest of the facets near a cell, above its middle. */
 std::pair<double, double>
 heightsAbout(const FacetSheet& sheet, std::size_t cell)
 {
-  bool is_inside = true;
-  if (!sheet.grid.forAllWithin(cell, RiserBins::to_wall,
-                               [&](std::size_t near) {
-                                 is_inside = is_inside && sheet.is_inside[near] != 0;
-                               }) ||
-      !is_inside)
-    return {0, 0};
   std::int32_t last = FacetSheet::none;
   std::pair<double, double> heights(std::numeric_limits<double>::infinity(),
                                     -std::numeric_limits<double>::infinity());
@@ -46,15 +48,21 @@ pointsOfRisers(const FacetSheet& sheet,
                const PointView& scan,
                const std::vector<int>& indices)
 {
-  std::vector<std::pair<double, double>> heights(sheet.grid.count());
-  for (std::size_t cell = 0; cell < heights.size(); ++cell)
-    heights[cell] = heightsAbout(sheet, cell);
   const double margin = facet_band * sheet.noise;
+  std::vector<std::pair<double, double>> heights(sheet.grid.count());
+  for (std::size_t cell = 0; cell < heights.size(); ++cell) {
+    heights[cell] = heightsAbout(sheet, cell);
+    auto& [low, high] = heights[cell];
+    if (!(high - low > margin))
+      high = low - margin; // no step
+    else if (isAtWall(sheet, cell))
+      high = low + margin; // only where the lower facet ends
+  }
   std::vector<Eigen::Vector3d> points;
   forAllOver(sheet.grid, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
                const auto& [low, high] = heights[cell];
-               if (high - low > margin && p.z() > low - margin && p.z() < high)
+               if (p.z() > low - margin && p.z() < high)
                  points.push_back(p);
              });
   return points;

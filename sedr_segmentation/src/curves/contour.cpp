@@ -97,6 +97,7 @@ simplify(const std::vector<Eigen::Vector2d>& p,
     open.pop_back();
     const Eigen::Vector2d a = p[from % p.size()];
     const Eigen::Vector2d way = p[to % p.size()] - a;
+    constexpr double rounding = 1e-9; // of corners as far away the first one counts
     double farthest = tolerance;
     std::size_t split = 0;
     for (std::size_t i = from + 1; i < to; ++i) {
@@ -105,7 +106,7 @@ simplify(const std::vector<Eigen::Vector2d>& p,
                            ? std::clamp(q.dot(way) / way.squaredNorm(), 0.0, 1.0)
                            : 0;
       const double d = (q - t * way).norm();
-      if (d > farthest) {
+      if (d > farthest + rounding) {
         farthest = d;
         split = i;
       }

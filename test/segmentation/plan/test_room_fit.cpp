@@ -280,22 +280,37 @@ TEST(FitRoom, ADuctFromWallToWallIsNoDetailABeamIs)
 
 TEST(FitRoom, FieldsBetweenBeamsAreOfTheMainCeilingWhateverLevelTheyWereFoundIn)
 {
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
-  truth.details = {detailOf(rectangle(1.91, 0.01, 2.11, 4.01), 2.4),
-                   detailOf(rectangle(3.91, 0.01, 4.11, 4.01), 2.4)};
-  RoomPoints points(0.05, 0.005);
-  RoomParts parts = points.room(truth);
-  const auto other_fields =
-      std::stable_partition(parts.ceiling.begin(), parts.ceiling.end(),
-                            [&](int i) { return points[i].x() < 2; });
-  parts.details.insert(parts.details.end(), other_fields, parts.ceiling.end());
-  parts.ceiling.erase(other_fields, parts.ceiling.end());
-  const PlanRoom room = fitted(points, parts);
-  EXPECT_EQ(room.details.size(), 2u);
-  for (const double x : {1.0, 3.0, 5.0})
-    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.7, 0.002) << x;
-  for (const double x : {2.01, 4.01})
-    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.4, 0.005) << x;
+  for (const double degrees : {0.0, 20.0, 90.0, 180.0, 270.0}) {
+    SCOPED_TRACE(degrees);
+    const auto turned = [&](const PlanLoop& loop) {
+      return placed(loop, degrees, {0, 0});
+    };
+    PlanRoom truth = roomOf(turned(rectangle(0.01, 0.01, 6.01, 4.01)), 2.7);
+    const PlanLoop beams[] = {turned(rectangle(1.91, 0.01, 2.11, 4.01)),
+                              turned(rectangle(3.91, 0.01, 4.11, 4.01))};
+    truth.details = {detailOf(beams[0], 2.4), detailOf(beams[1], 2.4)};
+    RoomPoints points(0.04, 0.005);
+    RoomParts parts = points.room(truth);
+    const Vector2d along(std::cos(degrees * M_PI / 180),
+                         std::sin(degrees * M_PI / 180));
+    const auto other_fields =
+        std::stable_partition(parts.ceiling.begin(), parts.ceiling.end(), [&](int i) {
+          return along.dot(points[i].head<2>().cast<double>()) < 2;
+        });
+    parts.details.insert(parts.details.end(), other_fields, parts.ceiling.end());
+    parts.ceiling.erase(other_fields, parts.ceiling.end());
+    const PlanRoom room = fitted(points, parts);
+    EXPECT_EQ(room.details.size(), 2u);
+    for (const PlanDetail& beam : room.details)
+      EXPECT_NEAR(beam.boundary.area(), 0.8, 0.02);
+    const auto heightAt = [&](double x) {
+      return room.ceilingAt(x * along + 2 * Vector2d(-along.y(), along.x()));
+    };
+    for (const double x : {1.0, 3.0, 5.0})
+      EXPECT_NEAR(heightAt(x), 2.7, 0.002) << x;
+    for (const double x : {2.01, 4.01})
+      EXPECT_NEAR(heightAt(x), 2.4, 0.005) << x;
+  }
 }
 
 } // namespace
