@@ -2,13 +2,14 @@
 #include "lines_beyond.h"
 
 #include "../mesh/mesh_outlines.h"
+#include "sedr_filters/src/plan/plan_arcs.h"
 #include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -87,7 +88,7 @@ public:
       if (box.max().z() > 0 && std::abs(normal.z()) > no_area)
         for (long k = tileOf(box.min().x()); k <= tileOf(box.max().x()); ++k)
           for (long l = tileOf(box.min().y()); l <= tileOf(box.max().y()); ++l)
-            tiles_[{k, l}].push_back({corners, normal, box.min().z()});
+            tiles_[{k, l}].push_back({corners, normal});
     }
   }
 
@@ -148,7 +149,6 @@ private:
   struct Face {
     Triangle corners;
     Eigen::Vector3d normal;
-    double nearest;
   };
 
   bool isLine(const Edge& edge, const std::vector<std::size_t>& triangles) const
@@ -220,15 +220,11 @@ private:
   bool hides(const Face& face, const Eigen::Vector3d& p) const
   {
     constexpr double before = 0.001; // metres
-    if (face.nearest > p.z() - before)
-      return false;
     const double sign = face.normal.z() < 0 ? -1 : 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Vector3d& a = places_[face.corners[k]];
       const Eigen::Vector3d& b = places_[face.corners[(k + 1) % 3]];
-      if (sign *
-              ((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x())) <
-          0)
+      if (sign * cross((b - a).head<2>(), (p - a).head<2>()) < 0)
         return false;
     }
     const double off = face.normal.dot(p - places_[face.corners[0]]);
@@ -277,11 +273,10 @@ linesBeyond(const Floorplan& plan,
             const std::vector<PlanArea>& cut)
 {
   Floorplan open = plan;
-  open.openings.erase(std::remove_if(open.openings.begin(), open.openings.end(),
-                                     [](const PlanOpening& opening) {
-                                       return opening.kind != OpeningKind::Passage;
-                                     }),
-                      open.openings.end());
+  open.openings.clear();
+  for (const PlanOpening& opening : plan.openings)
+    if (opening.kind == OpeningKind::Passage)
+      open.openings.push_back(opening);
   TriangleMesh mesh;
   std::vector<SolidElement> elements;
   std::vector<RoomSolidReport> reports;
