@@ -132,6 +132,19 @@ TEST(Picture, ShowsItsMapsAtOneScale)
   EXPECT_NEAR(count(red) / count(blue), 1, 0.03);
 }
 
+TEST(Picture, ItsScaleBarIsOneTwoOrFiveTimesAPowerOfTen)
+{
+  for (const auto& [width, bar] :
+       {std::pair(40.0, 5.0), {10.0, 1.0}, {5.0, 0.5}, {3.0, 0.2}}) {
+    const Image image = imageOf(Picture{"", {Panel("", box(0, 0, width, 2))}}.png());
+    int longest = 0; // run of ink
+    int run = 0;
+    for (const Colour pixel : image.pixels)
+      longest = std::max(longest, run = pixel == colours::ink ? run + 1 : 0);
+    EXPECT_NEAR(longest, bar * std::min(1168 / width, 800 / 2.0), 2) << width;
+  }
+}
+
 TEST(Picture, OfNothingIsStillAPicture)
 {
   const Image empty = imageOf(Picture{"an empty map", {Panel("empty", {})}}.png());
