@@ -172,18 +172,20 @@ public:
     if (!place.allFinite())
       return nullptr;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      put(stepsTo(place[static_cast<Eigen::Index>(axis)], axis));
+      append(point_, stepsTo(place[static_cast<Eigen::Index>(axis)], axis));
     const StoredField* const intensity = file.storedRow().find("intensity");
     const bool has_intensity =
         intensity && (intensity->datatype == StoredField::UINT16 ||
                       intensity->datatype == StoredField::UINT8);
-    put(static_cast<std::uint16_t>(has_intensity ? intensity->valueIn(stored) : 0));
-    put(std::uint8_t{0x11});     // the first of one return
-    put(std::array<char, 15>{}); // flags, class, user data, angle, source and time
+    append(point_,
+           static_cast<std::uint16_t>(has_intensity ? intensity->valueIn(stored) : 0));
+    append(point_, std::uint8_t{0x11}); // the first of one return
+    append(point_,
+           std::array<char, 15>{}); // flags, class, user data, angle, source and time
     const auto* const colour = file.colour();
     for (std::size_t k = 3; k-- > 0 && has_colours_;) { // blue is the first byte
       const unsigned channel = colour ? row[colour->offset + k] : 0;
-      put(static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
+      append(point_, static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
     }
     return reinterpret_cast<const std::uint8_t*>(point_.data());
   }
@@ -201,12 +203,6 @@ private:
                                  finest, most * finest, "xyz"[axis], shift_[axis],
                                  place));
     return static_cast<std::int32_t>(steps);
-  }
-
-  template <typename T>
-  void put(const T& value)
-  {
-    point_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
 
   bool has_colours_;

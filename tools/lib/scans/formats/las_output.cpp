@@ -57,13 +57,6 @@ sizeOf(const std::string& descriptors)
   return size;
 }
 
-template <typename T>
-void
-append(std::string& bytes, const T& value)
-{
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 } // namespace
 
 LasOutput::LasOutput(std::ostream& stream, LasHead before)

@@ -15,6 +15,13 @@ namespace pcl::sedr::tools {
 
 struct PointTag;
 
+template <typename T>
+void
+append(std::string& bytes, const T& value)
+{
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
 /** @brief What stands before the points of a LAS file: its header, and records that
  * describe them. */
 struct LasHead {
