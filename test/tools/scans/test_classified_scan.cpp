@@ -194,6 +194,31 @@ TEST_F(ClassifiedScan, OfLasKeepsAllThatTheScanHas)
   }
 }
 
+TEST_F(ClassifiedScan, OfLasKeepsDescriptionsOfExtraBytesThatPointsHave)
+{
+  for (const auto& [type, described, stored] : // of bytes
+       {std::make_tuple(3, 2, 2), {9, 4, 4}, {10, 8, 8}, {23, 6, 6}, {10, 8, 0}}) {
+    std::string field(192, '\0');
+    field[2] = static_cast<char>(type);
+    LasSample las;
+    las.minor = 4;
+    las.format = 6;
+    las.record = static_cast<std::uint16_t>(30 + stored);
+    las.before = lasRecord("LASF_Spec", 4, field);
+    las.points = {{1, 2, 3}};
+    writeFile(in("scan.las"), las.bytes().replace(100, 1, {1}));
+    saveTagged(
+        in("out.las"), JointScan({in("scan.las")}, {}),
+        [](const Eigen::Vector3f&) { return PointTag{}; }, 0);
+    const std::string bytes = bytesOf(in("out.las"));
+    EXPECT_EQ(at<std::uint32_t>(bytes, 100), 1u);
+    EXPECT_EQ(at<std::uint16_t>(bytes, 375 + 20), (described == stored ? 4 : 3) * 192)
+        << type;
+    EXPECT_EQ(bytes.substr(375 + 54, 192) == field, described == stored);
+    EXPECT_EQ(at<std::uint16_t>(bytes, 105), 30 + stored + 5);
+  }
+}
+
 TEST_F(ClassifiedScan, OfLasFilesOfSeveralLayoutsLosesWhatTheyDoNotShare)
 {
   writeFile(in("a.las"), fullLas(2, 1, 28));
