@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace programs;
@@ -32,6 +34,23 @@ TEST(StructureCompare, APartitionThatMovesIsOneThingAndLongerWallsAreNone)
                   "room_2_wall_4 -> room_1_wall_2, room_2_wall_4"});
 }
 
+TEST(StructureCompare, WallsThatMoveApartOrHaveAShaftBetweenThemAreNoPartition)
+{
+  const auto rooms = [](double end, double start) {
+    return Floorplan{{boxRoomOf(1, 0, 0, end, 4.5), boxRoomOf(2, start, 0, 9, 4.5)}};
+  };
+  EXPECT_EQ(told(rooms(5, 5.1), rooms(4.7, 5.4)),
+            (Lines{"moved wall by 0.30 m (x -0.30), 4.5 m: room_1_wall_2 -> "
+                   "room_1_wall_2",
+                   "moved wall by 0.30 m (x +0.30), 4.5 m: room_2_wall_4 -> "
+                   "room_2_wall_4"}));
+  EXPECT_EQ(told(rooms(5, 6), rooms(5.3, 6.3)),
+            (Lines{"moved wall by 0.30 m (x +0.30), 4.5 m: room_1_wall_2 -> "
+                   "room_1_wall_2",
+                   "moved wall by 0.30 m (x +0.30), 4.5 m: room_2_wall_4 -> "
+                   "room_2_wall_4"}));
+}
+
 TEST(StructureCompare, APartitionThatIsTakenOutOrPutIn)
 {
   const Floorplan one{{boxRoomOf(1, 0, 0, 9, 4.5)}};
@@ -59,6 +78,10 @@ TEST(StructureCompare, ANewPilasterIsOneThing)
   EXPECT_EQ(
       told(twoRooms(), after),
       Lines{"appeared walls, 1.5 m: room_1_wall_4, room_1_wall_5, room_1_wall_6"});
+  std::rotate(walls.begin(), walls.begin() + 4, walls.end());
+  EXPECT_EQ(told(twoRooms(), after),
+            Lines{"appeared walls, 1.5 m: room_1_wall_1, room_1_wall_2, room_1_wall_8"})
+      << "the last wall is beside the first";
 }
 
 TEST(StructureCompare, AWholeRoomIsToldWithoutItsWalls)
