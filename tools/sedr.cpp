@@ -9,7 +9,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -36,11 +35,11 @@ checkClassified(const std::string& path, const std::vector<std::string>& inputs)
 void
 saveClassified(const std::string& path,
                const JointScan& scan,
-               const ScanVoxels& voxels,
                const Reconstruction& chain)
 {
   const Progress progress("writing the classified scan");
   const StructureModel& model = chain.getModel();
+  const ScanVoxels voxels(model, chain.getVoxelSize());
   const auto tag_of = [&](const Eigen::Vector3f& p) {
     const std::size_t i = voxels.of(p);
     return i < model.labels.size()
@@ -48,21 +47,6 @@ saveClassified(const std::string& path,
                : PointTag();
   };
   saveTagged(path, scan, tag_of, chain.getNumberOfThreads());
-}
-
-/** @brief Returns the colours that a scan gives its surfaces. */
-SurfaceColours
-coloursOf(const JointScan& scan, const ScanVoxels& voxels, const Reconstruction& chain)
-{
-  const StructureModel& model = chain.getModel();
-  std::vector<SurfaceColours::Surface> surfaces;
-  for (std::size_t i = 0; i < model.labels.size(); ++i)
-    surfaces.emplace_back(model.rooms[i], model.labels[i]);
-  const auto voxel_of = [&](const Eigen::Vector3f& p) { return voxels.of(p); };
-  return {
-      *model.cloud, surfaces,
-      medianColours(scan, voxel_of, model.cloud->size(), chain.getNumberOfThreads()),
-      chain.getVoxelSize()};
 }
 
 } // namespace
@@ -111,16 +95,16 @@ main(int argc, char** argv)
       chain.setScanPositions(scan->positions());
       return scan->size();
     };
-    std::optional<ScanVoxels> voxels; // of the thinned scan, for colours and classes
     const auto seen = [&] {
-      const bool is_painted = colours == "scan" && scan->hasColours();
-      if (is_painted || !classified.empty())
-        voxels.emplace(chain.getModel(), chain.getVoxelSize());
-      return is_painted ? coloursOf(*scan, *voxels, chain) : SurfaceColours();
+      return colours == "scan" && scan->hasColours()
+                 ? coloursOf(*scan, chain.getModel(),
+                             chain.getStages().poisson.getMesh(),
+                             chain.getStages().extrusion.getMesh(), settings.threads)
+                 : SurfaceColours();
     };
     const int code = makeModel(settings, chain, open, seen);
     if (!classified.empty())
-      saveClassified(classified, *scan, *voxels, chain);
+      saveClassified(classified, *scan, chain);
     return code;
   });
 }

@@ -42,13 +42,14 @@ paintedPcd(const RoomScan& scan)
   return bytes;
 }
 
-/** The scan, four times denser so that a voxel holds several points. */
+/** The scan, four times denser: none of its surfaces is farther than 3 cm from a point.
+ */
 RoomScan
 denseScan()
 {
   RoomScan scan = scanOf();
   const std::vector<RoomPoint> once = scan.points;
-  for (const float off : {0.004F, 0.008F, 0.012F})
+  for (const float off : {0.0125F, 0.025F, 0.0375F})
     for (RoomPoint p : once) {
       p.x += p.label == Label::Wall ? 0 : off;
       p.z += p.label == Label::Wall ? off : 0;
@@ -123,59 +124,88 @@ TEST_F(ScanColours, StayOnTheSolidOfAnEditedModel)
             std::string::npos);
 }
 
-TEST(MedianColours, AreThoseOfGroupsWhateverTheOrder)
+/** One point at a distance along each axis, both ways, about a place. */
+void
+addAround(const Eigen::Vector3f& place, float distance, Label label, RoomScan& scan)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.F, 1.F}) {
+      Eigen::Vector3f p = place;
+      p[axis] += sign * distance;
+      scan.points.push_back({p.x(), p.y(), p.z(), label, 1});
+    }
+}
+
+TEST(MedianColours, AreOfAllPointsWithinThreeCentimetresInAnyFrameAndOnAnyThreads)
 {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "a.pcd").string();
+  pcl::sedr::BuildingFrame frame;
+  frame.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  frame.origin = {3, -2, 1};
   RoomScan scan;
-  for (int i = 0; i < 300; ++i)
-    scan.points.push_back({static_cast<float>(i % 3), static_cast<float>(i), 0,
-                           i % 3 == 0 ? Label::Floor : Label::Wall, 1});
+  SurfacePlaces places;
+  const Eigen::Matrix3f back = frame.rotation.transpose().cast<float>();
+  // Places in and on the borders of cells, on both sides of 0.
+  for (const float at : {-1.F, -0.06F, -0.031F, 0.F, 0.03F, 0.06F, 2.345F}) {
+    const Eigen::Vector3f place(
+        at, 3 * at + 10 * static_cast<float>(places.points.size()), -at);
+    places.add(place, {1, 3});
+    const Eigen::Vector3f in_scan = back * place + frame.origin.cast<float>();
+    addAround(in_scan, 0.0295F, Label::Wall, scan);
+    addAround(in_scan, 0.0305F, Label::Floor, scan);
+    addAround(in_scan, 0.0310F, Label::Floor, scan);
+  }
+  places.add({50, 50, 0}, {1, 3}); // alone
   writeFile(path, paintedPcd(scan));
   const JointScan joint({path}, {});
   ASSERT_TRUE(joint.hasColours());
-  const auto medians = medianColours(
-      joint, [](const Eigen::Vector3f& p) { return static_cast<std::size_t>(p.x()); },
-      2, 0);
-  ASSERT_EQ(medians.size(), 2u) << "the third group is beyond";
-  EXPECT_EQ(medians[0].rgb, painted.at(Label::Floor));
-  EXPECT_EQ(medians[1].rgb, painted.at(Label::Wall));
-  EXPECT_TRUE(medians[0].is_seen);
-  const auto none = medianColours(
-      joint, [](const Eigen::Vector3f&) { return std::size_t{9}; }, 1, 0);
-  EXPECT_FALSE(none[0].is_seen);
-}
-
-TEST(SurfaceColours, AreSeenWithinAVoxelAndTheScatterOfPoints)
-{
-  pcl::PointCloud<pcl::PointXYZ> points;
-  points.emplace_back(0.F, 0.F, 0.F);
-  const SurfaceColours::Surface wall{1, 3};
-  for (const float voxel : {0.05F, 0.01F}) {
-    const SurfaceColours colours(points, {wall}, {{{9, 8, 7}, true}}, voxel);
-    for (const float off : {-0.001F, 0.001F}) {
-      const auto colour = colours.at({0, voxel + 0.025F + off, 0}, wall);
-      EXPECT_EQ(colour.is_seen, off < 0) << voxel;
-      EXPECT_EQ(colour.rgb, (Rgb{9, 8, 7})) << "also where it is filled in";
+  for (const unsigned threads : {1U, 3U}) {
+    const auto medians = medianColours(joint, places, frame, threads);
+    ASSERT_EQ(medians.size(), 8u);
+    for (std::size_t i = 0; i < 7; ++i) {
+      EXPECT_TRUE(medians[i].is_seen) << i;
+      EXPECT_EQ(medians[i].rgb, painted.at(Label::Wall)) << i;
     }
+    EXPECT_FALSE(medians[7].is_seen);
   }
 }
 
-TEST_F(ScanColours, AndTagsAreFoundOnTheThreadsGiven)
+TEST(SurfaceColours, AreFilledInFromTheNearestPlaceOfTheSurface)
+{
+  const Surface wall{1, 3};
+  const Surface floor{1, 2};
+  SurfacePlaces places;
+  places.add({0, 0, 0}, wall);
+  places.add({1, 0, 0}, wall); // not seen
+  places.add({1, 0, 0.01F}, floor);
+  const SurfaceColours colours(
+      places, {{{9, 8, 7}, true}, {{0, 0, 0}, false}, {{1, 2, 3}, true}}, 0);
+  const auto of = colours.of(places, 1);
+  ASSERT_EQ(of.size(), 3u);
+  EXPECT_EQ(of[0].rgb, (Rgb{9, 8, 7}));
+  EXPECT_TRUE(of[0].is_seen);
+  EXPECT_EQ(of[1].rgb, (Rgb{9, 8, 7})) << "filled in, not from the floor beside";
+  EXPECT_FALSE(of[1].is_seen);
+  EXPECT_EQ(of[2].rgb, (Rgb{1, 2, 3}));
+  const SurfaceColours wide(places, {{{9, 8, 7}, true}, {}, {}}, 0.05);
+  for (const float off : {-0.001F, 0.001F}) {
+    SurfacePlaces beside;
+    beside.add({0, 0.05F + off, 0}, wall);
+    EXPECT_EQ(wide.of(beside, 1)[0].is_seen, off < 0);
+  }
+}
+
+TEST_F(ScanColours, TagsAreFoundOnTheThreadsGiven)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
   const JointScan scan({in("input.pcd")}, {});
   const auto own = std::this_thread::get_id();
   std::atomic<int> elsewhere{0};
-  const auto group_of = [&](const Eigen::Vector3f&) {
+  const auto tag_of = [&](const Eigen::Vector3f&) {
     elsewhere += std::this_thread::get_id() == own ? 0 : 1;
-    return std::size_t{0};
+    return PointTag{0};
   };
-  const auto tag_of = [&](const Eigen::Vector3f& p) {
-    return PointTag{static_cast<std::uint32_t>(group_of(p))};
-  };
-  medianColours(scan, group_of, 1, 1);
-  EXPECT_EQ(elsewhere, 0);
   for (const char* name : {"tagged.las", "tagged.pcd"})
     saveTagged(in(name), scan, tag_of, 1);
   EXPECT_EQ(elsewhere, 0);

@@ -2,18 +2,20 @@
 #include "scan_colours.h"
 
 #include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/voxels/voxel_table.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
 constexpr std::size_t at_once = std::size_t{1} << 12; // rows
-constexpr double scatter = 0.025; // metres, of points about their surface
+constexpr double reach = 0.03; // metres, of the points that give a place its colour
 
 /** @brief Returns the median of colours, per channel. */
 SeenColour
@@ -55,16 +57,136 @@ private:
   std::array<std::array<std::uint8_t, 3>, most> kept_{};
 };
 
+/** @brief Finds the places within reach of a point. */
+class NearPlaces {
+public:
+  explicit NearPlaces(const pcl::PointCloud<pcl::PointXYZ>& places)
+      : places_(places)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      cells_[cellOf(places[i].getVector3fMap())].push_back(
+          static_cast<std::uint32_t>(i));
+  }
+
+  /** @brief Calls `see(i)` for each place, of at most eight cells. */
+  template <typename See>
+  void forEach(const Eigen::Vector3f& p, const See& see) const
+  {
+    constexpr float far = 1e7F; // metres, beyond cells
+    if (!(p.cwiseAbs().maxCoeff() < far))
+      return;
+    const Eigen::Vector3f off = Eigen::Vector3f::Constant(reach);
+    const VoxelCode low = cellOf(p - off);
+    const VoxelCode high = cellOf(p + off);
+    VoxelCode at{};
+    for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+      for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+        for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+          if (const auto cell = cells_.find(at); cell != cells_.end())
+            for (const std::uint32_t i : cell->second)
+              if ((places_[i].getVector3fMap() - p).norm() <= reach)
+                see(i);
+  }
+
+private:
+  struct Hash {
+    std::size_t operator()(const VoxelCode& code) const { return hashOf(code); }
+  };
+
+  static VoxelCode cellOf(const Eigen::Vector3f& p)
+  {
+    VoxelCode cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      cell[axis] = static_cast<std::int32_t>(
+          std::floor(p[static_cast<Eigen::Index>(axis)] / (2 * reach)));
+    return cell;
+  }
+
+  const pcl::PointCloud<pcl::PointXYZ>& places_;
+  std::unordered_map<VoxelCode, std::vector<std::uint32_t>, Hash> cells_;
+};
+
+/** @brief Calls `see(place, t)` for places on the elements of a solid, at most 10 cm
+ * apart, or a fiftieth of a large triangle. */
+template <typename See>
+void
+forEachSample(const TriangleMesh& solid, const See& see)
+{
+  constexpr double step = 0.1; // metres
+  constexpr double most = 50;  // steps along a triangle
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
+    if (solid.elements[t] == 0)
+      continue;
+    const double size = std::sqrt(solid.scaledNormal(t).norm());
+    const auto n = static_cast<int>(std::clamp(std::ceil(size / step), 1.0, most));
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        const double a = (i + 1.0 / 3) / n;
+        const double b = (j + 1.0 / 3) / n;
+        const Eigen::Vector3d place = a * solid.corner(t, 0) + b * solid.corner(t, 1) +
+                                      (1 - a - b) * solid.corner(t, 2);
+        see(place.cast<float>(), t);
+      }
+  }
+}
+
+SurfacePlaces
+samplesOf(const TriangleMesh& solid)
+{
+  SurfacePlaces places;
+  forEachSample(solid, [&](const Eigen::Vector3f& place, std::size_t t) {
+    places.add(place, {solid.rooms[t], solid.labels[t]});
+  });
+  return places;
+}
+
 } // namespace
+
+void
+SurfacePlaces::add(const Eigen::Vector3f& place, const Surface& surface)
+{
+  points.emplace_back(place.x(), place.y(), place.z());
+  surfaces.push_back(surface);
+}
+
+void
+SurfacePlaces::add(const SurfacePlaces& others)
+{
+  points += others.points;
+  surfaces.insert(surfaces.end(), others.surfaces.begin(), others.surfaces.end());
+}
+
+SurfacePlaces
+placesOf(const pcl::PointCloud<pcl::PointStructure>& points)
+{
+  SurfacePlaces places;
+  for (const auto& point : points)
+    places.add(point.getVector3fMap(), {point.room, point.label});
+  return places;
+}
+
+SurfacePlaces
+verticesOf(const TriangleMesh& mesh)
+{
+  std::vector<Surface> surfaces(mesh.vertices.size());
+  for (std::size_t t = 0; t < mesh.labels.size(); ++t)
+    for (const std::uint32_t vertex : mesh.triangles[t])
+      surfaces[vertex] = {mesh.rooms[t], mesh.labels[t]};
+  SurfacePlaces places;
+  for (std::size_t v = 0; v < surfaces.size(); ++v)
+    places.add(mesh.vertices[v].cast<float>(), surfaces[v]);
+  return places;
+}
 
 std::vector<SeenColour>
 medianColours(const JointScan& scan,
-              const std::function<std::size_t(const Eigen::Vector3f&)>& group_of,
-              std::size_t groups,
+              const SurfacePlaces& places,
+              const BuildingFrame& frame,
               unsigned threads)
 {
-  std::vector<ColourSample> samples(groups);
-  std::vector<std::size_t> group;
+  const NearPlaces near(places.points);
+  std::vector<ColourSample> samples(places.points.size());
+  std::vector<std::vector<std::pair<std::uint32_t, std::size_t>>> found; // and rows
   for (const auto& file : scan.files()) {
     const auto* const colour = file->colour();
     if (!colour)
@@ -72,12 +194,16 @@ medianColours(const JointScan& scan,
     RowCoordinates coordinates(file->fields(), file->rowSize());
     file->forEachPiece([&](const RowSource::Piece& piece) {
       const PointView points = coordinates.of(piece.rows, piece.size, threads);
-      group.resize(piece.size);
-      parallelFor(piece.size, at_once, threads,
-                  [&](std::size_t i) { group[i] = group_of(points[i]); });
-      for (std::size_t i = 0; i < piece.size; ++i)
-        if (group[i] < groups)
-          samples[group[i]].add(piece.rows + i * file->rowSize() + colour->offset);
+      found.assign(piece.size / at_once + 1, {});
+      parallelFor(piece.size, at_once, threads, [&](std::size_t i) {
+        const Eigen::Vector3d p = frame.toBuilding(points[i].cast<double>());
+        near.forEach(p.cast<float>(), [&](std::uint32_t place) {
+          found[i / at_once].emplace_back(place, i);
+        });
+      });
+      for (const auto& block : found)
+        for (const auto& [place, i] : block)
+          samples[place].add(piece.rows + i * file->rowSize() + colour->offset);
       return true;
     });
   }
@@ -87,34 +213,34 @@ medianColours(const JointScan& scan,
   return medians;
 }
 
-SurfaceColours::SurfaceColours(const pcl::PointCloud<pcl::PointXYZ>& points,
-                               const std::vector<Surface>& surfaces,
+SurfaceColours::SurfaceColours(const SurfacePlaces& places,
                                const std::vector<SeenColour>& colours,
-                               double voxel_size)
-    : near_(voxel_size + scatter)
+                               double near)
+    : near_(near)
 {
   std::map<Surface, pcl::PointCloud<pcl::PointXYZ>::Ptr> clouds;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (surfaces[i].second != 0 && colours[i].is_seen) {
-      auto& cloud = clouds[surfaces[i]];
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    if (const Surface& surface = places.surfaces[i];
+        surface.second != 0 && colours[i].is_seen) {
+      auto& cloud = clouds[surface];
       if (!cloud)
         cloud.reset(new pcl::PointCloud<pcl::PointXYZ>);
-      cloud->push_back(points[i]);
-      of_surface_[surfaces[i]].colours.push_back(colours[i]);
+      cloud->push_back(places.points[i]);
+      of_surface_[surface].colours.push_back(colours[i]);
     }
   for (const auto& [surface, cloud] : clouds)
     of_surface_[surface].tree.setInputCloud(cloud);
 }
 
 SeenColour
-SurfaceColours::at(const Eigen::Vector3f& place, const Surface& surface) const
+SurfaceColours::at(const pcl::PointXYZ& place, const Surface& surface) const
 {
   SeenColour colour;
   float least = std::numeric_limits<float>::infinity(); // squared distance
   const auto search = [&](const Painted& painted) {
     pcl::Indices index(1);
     std::vector<float> squared(1);
-    painted.tree.nearestKSearch({place.x(), place.y(), place.z()}, 1, index, squared);
+    painted.tree.nearestKSearch(place, 1, index, squared);
     if (squared[0] >= least)
       return;
     least = squared[0];
@@ -132,64 +258,51 @@ SurfaceColours::at(const Eigen::Vector3f& place, const Surface& surface) const
 }
 
 std::vector<SeenColour>
-SurfaceColours::ofVertices(const TriangleMesh& mesh, unsigned threads) const
+SurfaceColours::of(const SurfacePlaces& places, unsigned threads) const
 {
-  std::vector<SeenColour> colours(empty() ? 0 : mesh.vertices.size());
-  std::vector<Surface> surfaces(mesh.vertices.size());
-  for (std::size_t t = 0; t < mesh.labels.size(); ++t)
-    for (const std::uint32_t vertex : mesh.triangles[t])
-      surfaces[vertex] = {mesh.rooms[t], mesh.labels[t]};
-  parallelFor(colours.size(), at_once, threads, [&](std::size_t v) {
-    colours[v] = at(mesh.vertices[v].cast<float>(), surfaces[v]);
-  });
-  return colours;
-}
-
-std::vector<SeenColour>
-SurfaceColours::ofPoints(const pcl::PointCloud<pcl::PointStructure>& points,
-                         unsigned threads) const
-{
-  std::vector<SeenColour> colours(empty() ? 0 : points.size());
+  std::vector<SeenColour> colours(empty() ? 0 : places.points.size());
   parallelFor(colours.size(), at_once, threads, [&](std::size_t i) {
-    colours[i] = at(points[i].getVector3fMap(), {points[i].room, points[i].label});
+    colours[i] = at(places.points[i], places.surfaces[i]);
   });
   return colours;
 }
 
 std::vector<SeenColour>
 SurfaceColours::ofElements(const TriangleMesh& mesh,
-                           const std::vector<SolidElement>& elements) const
+                           std::size_t elements,
+                           unsigned threads) const
 {
-  constexpr double step = 0.1; // metres
-  constexpr double most = 50;  // steps along a triangle
   if (empty())
     return {};
-  std::vector<std::vector<SeenColour>> seen(elements.size());
-  std::vector<std::vector<SeenColour>> filled(elements.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.elements[t] == 0)
-      continue;
-    const std::size_t e = mesh.elements[t] - 1;
-    const double size = std::sqrt(mesh.scaledNormal(t).norm());
-    const auto n = static_cast<int>(std::clamp(std::ceil(size / step), 1.0, most));
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        const double a = (i + 1.0 / 3) / n;
-        const double b = (j + 1.0 / 3) / n;
-        const Eigen::Vector3d place = a * mesh.corner(t, 0) + b * mesh.corner(t, 1) +
-                                      (1 - a - b) * mesh.corner(t, 2);
-        const SeenColour colour =
-            at(place.cast<float>(), {mesh.rooms[t], mesh.labels[t]});
-        (colour.is_seen ? seen : filled)[e].push_back(colour);
-      }
-  }
+  const std::vector<SeenColour> of_samples = of(samplesOf(mesh), threads);
+  std::vector<std::vector<SeenColour>> seen(elements);
+  std::vector<std::vector<SeenColour>> filled(elements);
+  auto sample = of_samples.begin();
+  forEachSample(mesh, [&](const Eigen::Vector3f&, std::size_t t) {
+    (sample->is_seen ? seen : filled)[mesh.elements[t] - 1].push_back(*sample);
+    ++sample;
+  });
   std::vector<SeenColour> colours;
-  for (std::size_t e = 0; e < elements.size(); ++e) {
+  for (std::size_t e = 0; e < elements; ++e) {
     const bool is_seen = seen[e].size() > filled[e].size();
     colours.push_back(medianOf(seen[e].empty() ? filled[e] : seen[e]));
     colours.back().is_seen = is_seen;
   }
   return colours;
+}
+
+SurfaceColours
+coloursOf(const JointScan& scan,
+          const StructureModel& model,
+          const TriangleMesh& mesh,
+          const TriangleMesh& solid,
+          unsigned threads)
+{
+  SurfacePlaces places = placesOf(*model.structure);
+  places.add(verticesOf(mesh));
+  places.add(samplesOf(solid));
+  // A place is its own nearest one: what is not seen there is filled in.
+  return {places, medianColours(scan, places, model.levelFrame(), threads), 0};
 }
 
 } // namespace pcl::sedr::tools

@@ -75,7 +75,8 @@ public:
     if (files.document.levelling && !parameters.value("levelled", false))
       for (Eigen::Vector3d& v : files.solid.vertices)
         v = files.document.levelling->back(v);
-    files.colours = colours().ofElements(files.solid, files.elements);
+    files.colours =
+        colours().ofElements(files.solid, files.elements.size(), files.threads);
     writeSolids(folder_, files);
     ifc = writeBuildingModel(folder_, files);
     writeDrawings(folder_, files);
@@ -138,17 +139,15 @@ private:
     const ToolCloud cloud = loadCloud(before_.file("structure.pcd"));
     const std::vector<std::uint32_t> seen = wholeField(cloud.blob, "seen");
     const auto* const rgb = findField(cloud.blob, "rgb");
-    std::vector<SurfaceColours::Surface> surfaces;
+    SurfacePlaces places;
     std::vector<SeenColour> colours;
     for (std::size_t i = 0; rgb && i < seen.size(); ++i) {
       const std::uint8_t* const blue =
           &cloud.blob.data[i * cloud.blob.point_step + rgb->offset];
-      surfaces.emplace_back(cloud.room[i], cloud.label[i]);
+      places.add((*cloud.points)[i].getVector3fMap(), {cloud.room[i], cloud.label[i]});
       colours.push_back({{blue[2], blue[1], blue[0]}, seen[i] != 0});
     }
-    return colours.empty()
-               ? SurfaceColours()
-               : SurfaceColours(*cloud.points, surfaces, colours, before_.voxelSize());
+    return {places, colours, before_.voxelSize()};
   }
 
   /** @brief Returns whether a file that is not written any more was of the plan before:

@@ -187,14 +187,15 @@ writePoints(const OutputFolder& folder,
   const Origin& origin = chain.getOrigin();
   std::vector<std::array<std::uint8_t, 5>> of_points;
   for (const auto& [rgb, is_seen] :
-       colours.ofPoints(*model.structure, settings.threads))
+       colours.of(placesOf(*model.structure), settings.threads))
     of_points.push_back({rgb[2], rgb[1], rgb[0], 255, is_seen});
   saveStructure(folder.file("structure.pcd"), *model.structureInScanFrame(), origin,
                 of_points);
   if (settings.no_mesh)
     return;
   const TriangleMesh& mesh = chain.getStages().poisson.getMesh();
-  const std::vector<SeenColour> of_mesh = colours.ofVertices(mesh, settings.threads);
+  const std::vector<SeenColour> of_mesh =
+      colours.of(verticesOf(mesh), settings.threads);
   writeWhole(folder.file("mesh.ply"),
              model.isMoved() // otherwise no copy is needed
                  ? meshToPly(chain.meshInScanFrame(), originComments(origin), of_mesh)
@@ -212,7 +213,8 @@ planFiles(const ModelSettings& settings,
            scanSum(model)},
           model.inScanFrame(extrusion.getMesh()),
           extrusion.getElements(),
-          colours.ofElements(extrusion.getMesh(), extrusion.getElements()),
+          colours.ofElements(extrusion.getMesh(), extrusion.getElements().size(),
+                             settings.threads),
           settings.texts,
           settings.threads};
 }
