@@ -67,12 +67,12 @@ class ViewBeyond {
 public:
   ViewBeyond(const TriangleMesh& mesh,
              const SectionLine& line,
-             const std::vector<PlanArea>& cut,
+             const std::vector<PlanArea>& air,
              std::vector<PlanLine> drawn)
       : mesh_(mesh)
       , line_(line)
       , way_((line.to - line.from).normalized())
-      , cut_(cut)
+      , air_(air)
       , lines_(std::move(drawn))
   {
     constexpr double no_area = 1e-9; // such faces are seen from their edge
@@ -117,7 +117,7 @@ public:
       return;
     const auto isShown = [&](double s) {
       const Eigen::Vector3d p = from + s / length * (to - from);
-      return isSeen(p) && !isCut(p.head<2>());
+      return isInAir(p.head<2>()) && isSeen(p);
     };
     for (const PlanElement& part : partsWhere(edge, isShown))
       if (part.length() > shortest && !isDrawn(part))
@@ -193,18 +193,12 @@ private:
     });
   }
 
-  /** @brief Returns whether a place is within what is cut, or on its outline. */
-  bool isCut(const Eigen::Vector2d& p) const
+  /** @brief Returns whether a place is within the air that is cut, off its outline. */
+  bool isInAir(const Eigen::Vector2d& p) const
   {
     constexpr double on_cut = 0.005; // metres
-    return std::any_of(cut_.begin(), cut_.end(), [&](const PlanArea& area) {
-      bool is_within = area.boundary.contains(p);
-      double off = area.boundary.distance(p);
-      for (const PlanLoop& hole : area.holes) {
-        is_within = is_within && !hole.contains(p);
-        off = std::min(off, hole.distance(p));
-      }
-      return is_within || off < on_cut;
+    return std::any_of(air_.begin(), air_.end(), [&](const PlanArea& area) {
+      return area.boundary.contains(p) && area.boundary.distance(p) >= on_cut;
     });
   }
 
@@ -235,7 +229,7 @@ private:
   const TriangleMesh& mesh_;
   SectionLine line_;
   Eigen::Vector2d way_;
-  const std::vector<PlanArea>& cut_;
+  const std::vector<PlanArea>& air_;
   std::vector<Eigen::Vector3d> places_; ///< of vertices
   std::map<std::pair<long, long>, std::vector<Face>> tiles_;
   std::vector<PlanLine> lines_;
@@ -270,7 +264,7 @@ addOpening(const PlanOpening& opening, const PlanElement& wall, ViewBeyond& view
 std::vector<PlanLine>
 linesBeyond(const Floorplan& plan,
             const SectionLine& line,
-            const std::vector<PlanArea>& cut)
+            const std::vector<PlanArea>& air)
 {
   Floorplan open = plan;
   open.openings.clear();
@@ -290,7 +284,7 @@ linesBeyond(const Floorplan& plan,
   for (const PlanStair& stair : plan.stairs)
     for (const PlanFlight& flight : stair.flights)
       addFlight(flight, mesh, element);
-  ViewBeyond view(mesh, line, cut, stairsOn(plan, line));
+  ViewBeyond view(mesh, line, air, stairsOn(plan, line));
   for (const PlanOpening& opening : plan.openings)
     for (const OpeningWall& in : opening.walls)
       if (const PlanRoom* const room = findRoom(plan, in.room);

@@ -15,9 +15,10 @@ namespace pcl::sedr {
  * curved walls where they turn away, flights of stairs, also where they are cut.
  * Visible is what no face hides; one looks through passages. Places are metres along
  * the line from its start, and heights. O(edges times faces behind each other).
- * @param cut what hides all behind it: where the plane cuts the building */
+ * @param air the rooms where the plane cuts them; from elsewhere, as from outside,
+ * walls hide all behind them */
 std::vector<PlanLine> linesBeyond(const Floorplan& plan,
                                   const SectionLine& line,
-                                  const std::vector<PlanArea>& cut);
+                                  const std::vector<PlanArea>& air);
 
 } // namespace pcl::sedr

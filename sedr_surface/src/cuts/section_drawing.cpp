@@ -190,13 +190,7 @@ sectionOf(const Floorplan& plan,
                 " m"}});
     }
   drawing.addBodies(bodies, open, false);
-  std::vector<PlanArea> hiding = bodies;
-  for (const PlanArea& body : bodies) // roofs may be thicker than assumed
-    hiding.push_back({shifted(body.boundary, 0.3)});
-  std::vector<PlanArea> cut = partsOutside(hiding, open);
-  for (const OpeningGap& gap : drawing.openings)
-    cut.push_back({loopOf({gap.corners.begin(), gap.corners.end()})});
-  const std::vector<PlanLine> beyond = linesBeyond(plan, line, cut);
+  const std::vector<PlanLine> beyond = linesBeyond(plan, line, open);
   drawing.lines.insert(drawing.lines.begin(), beyond.begin(), beyond.end());
   const auto place = [](const Eigen::Vector2d& p) {
     return decimalText(p.x(), 2) + ", " + decimalText(p.y(), 2);
@@ -209,7 +203,7 @@ sectionOf(const Floorplan& plan,
       std::to_string(
           std::count_if(rooms.begin(), rooms.end(),
                         [](const CutRoom& cut) { return !cut.loops.empty(); })),
-      "Dimensions in metres, from face to face. Thin: beyond the cut, inner faces. "
+      "Dimensions in metres, from face to face. Thin: beyond the cut. "
       "Levels above the usual "
       "floor of the lowest storey. Slabs and roofs of which one side was "
       "seen: 0.20 m assumed.",
