@@ -12,12 +12,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief The unrolled walls of a room, one beside the other. */
+/** @brief The unrolled walls of a room, one beside the other, in rows. */
 class Elevations {
 public:
   Elevations(const Floorplan& plan,
@@ -28,16 +29,81 @@ public:
       , settings_(settings)
   {
     extrudeRoom(room, {}, solid_, elements_);
-    double left = 0;
-    for (std::size_t e = room.boundary.elements.size(); e-- > 0;) { // to the right
-      addWall(e, left);
-      left += room.boundary.elements[e].length();
+    double lowest = std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::lowest();
+    for (const Eigen::Vector3d& p : solid_.vertices) {
+      lowest = std::min(lowest, p.z());
+      highest = std::max(highest, p.z());
+    }
+    const Rows found = bestRows(highest - lowest);
+    for (const std::vector<std::size_t>& row : found.walls) {
+      double left = 0;
+      const auto first = static_cast<std::ptrdiff_t>(drawing.outlines.size());
+      for (const std::size_t e : row) {
+        addWall(e, left);
+        left += room.boundary.elements[e].length();
+      }
+      rows.emplace_back(drawing.outlines.begin() + first, drawing.outlines.end());
+      up_ -= found.step;
     }
   }
 
   CutDrawing drawing{};
+  std::vector<std::vector<PlanLoop>> rows{}; ///< the outlines of each
 
 private:
+  /** @brief Walls in rows, from left to right. */
+  struct Rows {
+    std::vector<std::vector<std::size_t>> walls;
+    double width = 0; ///< of the longest row, metres
+    double step = 0;  ///< from row to row, metres
+  };
+
+  /** @brief Returns the walls in rows shorter than a width, but for longer walls. */
+  Rows rowsWithin(double width) const
+  {
+    const std::vector<PlanElement>& elements = room_.boundary.elements;
+    Rows rows;
+    double length = 0;
+    for (std::size_t e = elements.size(); e-- > 0;) { // to the right
+      if (rows.walls.empty() || length + elements[e].length() >= width) {
+        rows.walls.emplace_back();
+        length = 0;
+      }
+      rows.walls.back().push_back(e);
+      length += elements[e].length();
+      rows.width = std::max(rows.width, length);
+    }
+    return rows;
+  }
+
+  /** @brief Returns the fewest rows with the largest scale, then the smallest paper. */
+  Rows bestRows(double height) const
+  {
+    Rows best;
+    std::pair<double, double> least; // scale and area of the paper
+    double width = std::numeric_limits<double>::max();
+    while (true) {
+      Rows rows = rowsWithin(width);
+      if (rows.width >= width || rows.walls.empty())
+        return best;
+      Eigen::AlignedBox2d space = dimensionSpace();
+      const double between = space.min().y() + space.max().y(); // millimetres
+      const auto count = static_cast<double>(rows.walls.size());
+      space.max().y() += (count - 1) * between;
+      const SheetLayout layout = layoutOf(
+          {Eigen::Vector2d::Zero(), Eigen::Vector2d(rows.width, count * height)}, space,
+          settings_);
+      rows.step = height + between * layout.scale / 1000;
+      width = rows.width;
+      const std::pair<double, double> cost(layout.scale, layout.size.prod());
+      if (best.walls.empty() || cost < least) {
+        least = cost;
+        best = std::move(rows);
+      }
+    }
+  }
+
   void addWall(std::size_t e, double left)
   {
     const PlanElement& wall = room_.boundary.elements[e];
@@ -79,7 +145,7 @@ private:
       return outline.contains(p) &&
              std::none_of(openings.begin(), openings.end(),
                           [&](const PlanLoop& loop) { return loop.contains(p); }) &&
-             settings_.is_unseen(room_.id, e, right - p.x(), p.y());
+             settings_.is_unseen(room_.id, e, right - p.x(), p.y() - up_);
     };
     const double height = box.sizes().y();
     for (double x = box.min().x() - height + step / 2; x < box.max().x(); x += step) {
@@ -118,7 +184,7 @@ private:
              if (is_round &&
                  std::abs(along - length * (half == 0 ? 0 : 1)) > 0.75 * length)
                along += half == 0 ? -length : length;
-             return Eigen::Vector2d(left + length - along, p.z());
+             return Eigen::Vector2d(left + length - along, p.z() + up_);
            }))
         loops.push_back(loop);
     return loops;
@@ -135,7 +201,8 @@ private:
   PlanLoop addOpening(const PlanOpening& opening, double a, double b)
   {
     const auto [left, right] = std::minmax(a, b);
-    const PlanLoop outline = rectangleOf(left, right, opening.bottom, opening.top);
+    const PlanLoop outline =
+        rectangleOf(left, right, opening.bottom + up_, opening.top + up_);
     const PlanLayer layer =
         opening.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
     for (const PlanElement& part : outline.elements)
@@ -153,6 +220,7 @@ private:
   const DrawingSettings& settings_;
   TriangleMesh solid_;
   std::vector<SolidElement> elements_;
+  double up_ = 0; ///< of the present row, metres
 };
 
 CutDrawing
@@ -161,7 +229,8 @@ elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& set
   const PlanRoom* const room = findRoom(plan, id);
   if (!room)
     return {};
-  CutDrawing drawing = std::move(Elevations(plan, *room, settings).drawing);
+  Elevations elevations(plan, *room, settings);
+  CutDrawing drawing = std::move(elevations.drawing);
   drawing.title = {
       "Interior elevations",
       "Room",
@@ -172,7 +241,7 @@ elevationsOf(const Floorplan& plan, std::uint32_t id, const DrawingSettings& set
       "as on the plan. Openings and niches in their outlines." +
           std::string(settings.is_unseen ? " Hatched: not seen." : ""),
       false};
-  complete(drawing, settings);
+  complete(elevations.rows, settings, drawing);
   return drawing;
 }
 

@@ -208,7 +208,7 @@ sectionOf(const Floorplan& plan,
       "floor of the lowest storey. Slabs and roofs of which one side was "
       "seen: 0.20 m assumed.",
       false};
-  complete(drawing, settings);
+  complete({drawing.outlines}, settings, drawing);
   return drawing;
 }
 

@@ -257,6 +257,24 @@ TEST(Elevations, HaveTheAreaOfTheWalls)
       << "unrolled";
 }
 
+TEST(Elevations, OfLargeRoomsHaveSeveralRowsForALargerScale)
+{
+  // 70 m of walls are 350 mm at 1:200; one of 20 m is 267 mm at 1:75.
+  Floorplan plan{{roomOf(rectangle(0, 0, 20, 15), 2.5)}};
+  plan.openings = {
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {2, -0.1}, {1, -0.1}, 0.9, 2.1, 0, 0.2}};
+  const std::string svg = drawElevations(plan, 1, {DrawingFormat::Svg})[0];
+  EXPECT_TRUE(holds(svg, ">1:75 A3<"));
+  EXPECT_TRUE(holds(svg, ">20.00<")) << "each wall is a row";
+  const std::string dxf = drawElevations(plan, 1, {DrawingFormat::Dxf})[0];
+  EXPECT_NEAR(outlinedArea(dxf), 70 * 2.5, 1e-3);
+  // The wall at y = 0 is the last one. A row is 2.5 m and 26 mm of paper high.
+  EXPECT_TRUE(holds(dxf, "\n10\n18.0000000\n20\n-12.4500000\n")) << "0.9 - 3 * 4.45";
+  plan.rooms[0].boundary = rectangle(0, 0, 5, 4);
+  EXPECT_TRUE(holds(drawElevations(plan, 1, {DrawingFormat::Svg})[0], ">18.00<"))
+      << "one row, if more do not help";
+}
+
 TEST(Elevations, HatchWhatNobodySaw)
 {
   Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
