@@ -32,7 +32,7 @@ def net_volumes(instances):
         if name == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCELEMENTQUANTITY":
             for quantity in instances[v[5]][1][5]:
                 kind, q = instances[quantity]
-                if q[0] == "NetVolume":
+                if q[0] == "NetVolume" and instances[v[4][0]][0] == "IFCSPACE":
                     volumes["IFCSPACE " + instances[v[4][0]][1][2]] = q[3]
     return volumes
 
