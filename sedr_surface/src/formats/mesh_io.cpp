@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "append_bytes.h"
 #include "ply_reader.h"
 #include "sedr_filters/src/base/labels.h"
 
@@ -82,20 +83,12 @@ plyHeader(const TriangleMesh& mesh,
   return text.str();
 }
 
-/** @brief Appends the bytes of a value: little-endian, like all platforms of PCL. */
-template <typename T>
-void
-add(std::string& bytes, T value)
-{
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 void
 addColour(std::string& bytes, std::uint32_t label)
 {
   const LabelColour colour = colourOf(label);
   for (const double channel : {colour.red, colour.green, colour.blue})
-    add(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
+    append(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
 }
 
 std::string
@@ -199,27 +192,27 @@ meshToPly(const TriangleMesh& mesh,
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (int k = 0; k < 3; ++k)
       if (needs_doubles)
-        add(bytes, mesh.vertices[v][k]);
+        append(bytes, mesh.vertices[v][k]);
       else
-        add(bytes, static_cast<float>(mesh.vertices[v][k]));
+        append(bytes, static_cast<float>(mesh.vertices[v][k]));
     if (has_colours) {
-      add(bytes, colours[v].rgb);
-      add(bytes, std::uint8_t(colours[v].is_seen ? 1 : 0));
+      append(bytes, colours[v].rgb);
+      append(bytes, std::uint8_t(colours[v].is_seen ? 1 : 0));
     }
     else if (!mesh.labels.empty())
       addColour(bytes, labels[v]);
     if (!mesh.labels.empty())
-      add(bytes, labels[v]);
+      append(bytes, labels[v]);
     if (!mesh.rooms.empty())
-      add(bytes, rooms[v]);
+      append(bytes, rooms[v]);
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    add(bytes, std::uint8_t{3});
+    append(bytes, std::uint8_t{3});
     for (const std::uint32_t v : mesh.triangles[t])
-      add(bytes, v);
+      append(bytes, v);
     for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
       if (!attribute->empty())
-        add(bytes, (*attribute)[t]);
+        append(bytes, (*attribute)[t]);
     if (!has_colours && !mesh.labels.empty())
       addColour(bytes, mesh.labels[t]);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/mesh_io.h>
 
+#include "append_bytes.h"
 #include "sedr_filters/src/base/labels.h"
 
 #include <nlohmann/json.hpp>
@@ -15,15 +16,6 @@ namespace pcl::sedr {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/** @brief Appends the bytes of a value: glTF is little-endian, like all platforms of
- * PCL. */
-template <typename T>
-void
-append(std::string& bytes, const T& value)
-{
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
 
 /** @brief Rotates z up to y up. */
 Eigen::Vector3d

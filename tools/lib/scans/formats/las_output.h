@@ -3,6 +3,7 @@
 
 #include "bytes/input_file.h"
 #include "las_layout.h"
+#include "sedr_surface/src/formats/append_bytes.h"
 
 #include <Eigen/Geometry>
 
@@ -14,13 +15,6 @@
 namespace pcl::sedr::tools {
 
 struct PointTag;
-
-template <typename T>
-void
-append(std::string& bytes, const T& value)
-{
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
 
 /** @brief What stands before the points of a LAS file: its header, and records that
  * describe them. */
