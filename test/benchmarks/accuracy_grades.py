@@ -71,19 +71,24 @@ def level(slab, x, y):
     return -(a * x + b * y + d) / c
 
 
+def places_on(room, e, points, at, k, way):
+    """Places on a wall that walls_of() yields, and its normal."""
+    plan_places = [[np.interp(s * at[-1], at, points[:, axis]) for axis in (0, 1)]
+                   for s in (PLACES if e["type"] == "segment" else (k,))]
+    left = np.array([-way[1], way[0]])
+    tilt = np.radians(e.get("tilt", 0))
+    foot = level(room["floor"], *plan_places[len(plan_places) // 2])
+    places = [[*(np.array(p) + left * np.tan(tilt) * s * room["height"]), foot + s * room["height"]] for p in plan_places for s in PLACES]
+    return np.array(places), np.array([*(left * np.cos(tilt)), -np.sin(tilt)])
+
+
 def surfaces(plan):
     """(kind, accuracy, places, normal) of all that was measured."""
     for room in plan["rooms"]:
         for kind, e, points, at, k, way in walls_of(room):
             if "accuracy" not in e:
                 continue
-            plan_places = [[np.interp(s * at[-1], at, points[:, axis]) for axis in (0, 1)]
-                           for s in (PLACES if e["type"] == "segment" else (k,))]
-            left = np.array([-way[1], way[0]])
-            tilt = np.radians(e.get("tilt", 0))
-            foot = level(room["floor"], *plan_places[len(plan_places) // 2])
-            places = [[*(np.array(p) + left * np.tan(tilt) * s * room["height"]), foot + s * room["height"]] for p in plan_places for s in PLACES]
-            yield kind, e["accuracy"], np.array(places), np.array([*(left * np.cos(tilt)), -np.sin(tilt)])
+            yield (kind, e["accuracy"], *places_on(room, e, points, at, k, way))
         for kind, slab, loop in [("floors", room["floor"], room["boundary"]), ("ceilings", room["ceiling"], room["boundary"])] + \
                 [("parts of floors", d["slab"], d["boundary"]) for d in room["floor_details"]] + \
                 [("parts of ceilings", d["slab"], d["boundary"]) for d in room["details"] + room.get("facets", [])]:

@@ -180,7 +180,7 @@ editModel(const std::string& path, const EditPlan& edit)
   model.write("report.json" + ending, model.report_text);
   const Json rooms = model.report["rooms"];
   setPlan(model.report, document.plan, model.ifc.schedules,
-          model.extrusion.getReports());
+          model.extrusion.getReports(), {});
   carryOver(model.report, rooms, before, document.plan, edits);
   std::vector<PlanWarning> warnings = model.extrusion.getWarnings();
   for (const RoomSolidReport& solid : model.extrusion.getReports())

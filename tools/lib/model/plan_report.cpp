@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_report.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_surface/src/sheet/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/certainty.h>
 #include <pcl/sedr_surface/coverage.h>
 
 #include <cstdio>
@@ -135,6 +137,27 @@ accuracyOf(const Schedules& schedules)
   return kinds;
 }
 
+/** @brief Returns probabilities of walls or openings, and the signs that tell them. */
+Json
+certaintyOf(const std::vector<Certainty>& elements,
+            const std::vector<std::string>& signs)
+{
+  std::vector<std::string> columns{"element", "area"};
+  for (const double step : certainty_steps)
+    columns.push_back("within_" + decimalText(100 * step, 0) + "cm");
+  columns.insert(columns.end(), signs.begin(), signs.end());
+  Json rows = Json::array();
+  for (const Certainty& element : elements) {
+    Json row = Json::array({element.element, element.area});
+    for (const double probability : element.within)
+      row.push_back(probability);
+    for (const double sign : element.signs)
+      row.push_back(sign);
+    rows.push_back(std::move(row));
+  }
+  return {{"columns", columns}, {"rows", rows}};
+}
+
 /** @brief Returns the place of a warning in plan, null if it has none. */
 Json
 placeOf(const PlanWarning& warning, const Floorplan& plan)
@@ -170,7 +193,8 @@ void
 setPlan(Json& report,
         const Floorplan& plan,
         const Schedules& schedules,
-        const std::vector<RoomSolidReport>& solids)
+        const std::vector<RoomSolidReport>& solids,
+        const std::vector<PlanWarning>& warnings)
 {
   report["storeys"] = storeyFigures(plan);
   report["support"] = supportOf(wallShares(plan));
@@ -178,6 +202,9 @@ setPlan(Json& report,
   report["schedules"] = schedulesOf(schedules);
   report["accuracy"] = accuracyOf(schedules);
   report["openings"] = openingsOf(plan);
+  report["certainty"] = {
+      {"walls", certaintyOf(certaintyOfWalls(plan, warnings), wallSigns())},
+      {"openings", certaintyOf(certaintyOfOpenings(plan), openingSigns())}};
   report["unlikely"] = warningsOf(unlikelyPlaces(plan), plan);
 }
 

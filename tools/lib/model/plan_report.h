@@ -32,7 +32,8 @@ namespace pcl::sedr::tools {
 void setPlan(nlohmann::ordered_json& report,
              const Floorplan& plan,
              const Schedules& schedules,
-             const std::vector<RoomSolidReport>& solids);
+             const std::vector<RoomSolidReport>& solids,
+             const std::vector<PlanWarning>& warnings);
 
 /** @brief Returns warnings with their places in plan, as report.json has them. */
 nlohmann::ordered_json warningsOf(const std::vector<PlanWarning>& list,

@@ -164,7 +164,8 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"evaluation", evaluation},
             {"warnings", warningsOf(run.warnings, plan)}};
   json["parameters"].update(Json(nlohmann::json(run.texts)));
-  setPlan(json, plan, run.schedules, chain.getStages().extrusion.getReports());
+  setPlan(json, plan, run.schedules, chain.getStages().extrusion.getReports(),
+          run.warnings);
   tellScanOfRooms(chain, json["rooms"]);
   return textOf(std::move(json), chain.getOrigin());
 }

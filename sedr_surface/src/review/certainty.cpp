@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/base/middle_value.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/certainty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Log-odds of being right. */
+struct Weights {
+  std::array<double, 3> within;                         ///< without signs
+  std::vector<std::pair<const char*, double>> of_signs; ///< by name
+};
+
+/** @brief What test/benchmarks/certainty_grades.py fits; the only place for it. */
+const Weights&
+wallWeights()
+{
+  static const Weights weights{{-1.59, -1.44, -1.39},
+                               {{"log_length", 0.90},
+                                {"measured", 1.88},
+                                {"placed", 2.34},
+                                {"log_error", -1.46},
+                                {"off", -1.10}}};
+  return weights;
+}
+
+const Weights&
+openingWeights()
+{
+  static const Weights weights{{0.85, 2.14, 2.78},
+                               {{"log_confidence", 0.06},
+                                {"log_error", -1.67},
+                                {"two_faces", 0.34},
+                                {"unknown_kind", -3.92}}};
+  return weights;
+}
+
+std::vector<std::string>
+namesOf(const Weights& weights)
+{
+  std::vector<std::string> names;
+  for (const auto& sign : weights.of_signs)
+    names.emplace_back(sign.first);
+  return names;
+}
+
+/** @param error standard error of its place, metres; 0: not known */
+Certainty
+certaintyBy(const Weights& weights, Certainty certainty, double error = 0)
+{
+  double odds = 0;
+  for (std::size_t k = 0; k < weights.of_signs.size(); ++k)
+    odds += weights.of_signs[k].second * certainty.signs[k];
+  for (std::size_t k = 0; k < weights.within.size(); ++k)
+    certainty.within[k] =
+        (error > 0 ? std::erf(certainty_steps[k] / (error * std::sqrt(2))) : 1) /
+        (1 + std::exp(-odds - weights.within[k]));
+  return certainty;
+}
+
+/** @brief Returns the median of the errors that are known, metres. */
+double
+usualError(std::vector<double> errors)
+{
+  errors.erase(std::remove(errors.begin(), errors.end(), 0.0), errors.end());
+  return errors.empty() ? 0 : middleValue(errors);
+}
+
+/** @brief Returns the logarithm of an error as a multiple of the usual one, so that
+ * the noise of a scan cancels out. */
+double
+logError(double error, double usual)
+{
+  constexpr double least = 1e-5; // metres
+  return std::log(std::max(error, least) / std::max(usual, least));
+}
+
+} // namespace
+
+std::vector<std::string>
+wallSigns()
+{
+  return namesOf(wallWeights());
+}
+
+std::vector<std::string>
+openingSigns()
+{
+  return namesOf(openingWeights());
+}
+
+std::vector<Certainty>
+certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
+{
+  std::map<std::pair<std::uint32_t, std::size_t>, double> off; // square metres
+  for (const PlanWarning& warning : warnings)
+    if (warning.kind == WarningKind::WallOff)
+      off[{warning.room, warning.wall}] += warning.values.at(0);
+  std::vector<double> errors;
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& wall : room.boundary.elements)
+      errors.push_back(wall.accuracy.standard_error);
+  const double usual = usualError(std::move(errors));
+  std::vector<Certainty> walls;
+  for (const PlanRoom& room : plan.rooms)
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e) {
+      const WallShares shares = wallShares(plan, room, e);
+      if (!(shares.area > 0))
+        continue;
+      const PlanElement& wall = room.boundary.elements[e];
+      const Eigen::Vector2d middle = wall.pointAt(wall.length() / 2);
+      const double error = wall.accuracy.standard_error;
+      walls.push_back(
+          certaintyBy(wallWeights(),
+                      {std::to_string(room.id) + "." + std::to_string(e + 1),
+                       room.id,
+                       e,
+                       wall.length() * (room.ceilingAt(middle) - room.floorAt(middle)),
+                       {std::log(std::max(wall.length(), 0.01)), shares.measured,
+                        error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
+                        std::min(off[{room.id, e + 1}] / shares.area, 1.0)}},
+                      error));
+    }
+  return walls;
+}
+
+std::vector<Certainty>
+certaintyOfOpenings(const Floorplan& plan)
+{
+  std::vector<double> errors;
+  for (const PlanOpening& opening : plan.openings)
+    errors.push_back(opening.residual);
+  const double usual = usualError(std::move(errors));
+  std::vector<Certainty> openings;
+  for (std::size_t k = 0; k < plan.openings.size(); ++k) {
+    const PlanOpening& opening = plan.openings[k];
+    const double sure = std::clamp(opening.confidence, 0.01, 0.999);
+    if (opening.confidence > 0)
+      openings.push_back(
+          certaintyBy(openingWeights(),
+                      {markOf(opening),
+                       std::max(opening.rooms[0], opening.rooms[1]),
+                       k,
+                       opening.width() * opening.height(),
+                       {std::log(sure / (1 - sure)), logError(opening.residual, usual),
+                        opening.walls.size() > 1 ? 1.0 : 0.0,
+                        opening.kind == OpeningKind::Unknown ? 1.0 : 0.0}}));
+  }
+  return openings;
+}
+
+} // namespace pcl::sedr

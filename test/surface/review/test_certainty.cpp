@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../plan_loops.h"
+
+#include <pcl/sedr_surface/certainty.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace pcl::sedr;
+
+namespace {
+
+/** A room of 4 m x 3 m x 2.5 m of which all walls were measured, with a door. */
+Floorplan
+measuredRoom()
+{
+  Floorplan plan;
+  plan.rooms = {sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5)};
+  for (PlanElement& wall : plan.rooms[0].boundary.elements) {
+    wall.evidence = {1, 0, 0};
+    wall.accuracy = {0.002, 0.01};
+  }
+  PlanOpening door{OpeningKind::Door, {1, 0}, {{1, 0}}, {1, 0}, {2, 0}, 0, 2};
+  door.confidence = 0.9;
+  door.residual = 0.002;
+  for (door.number = 1; door.number <= 3; ++door.number)
+    plan.openings.push_back(door);
+  return plan;
+}
+
+double
+oddsOf(double probability)
+{
+  return std::log(probability / (1 - probability));
+}
+
+TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
+{
+  Floorplan plan = measuredRoom();
+  PlanElement& wall = plan.rooms[0].boundary.elements[2];
+  wall.evidence = {0.5, 0.3, 0.2};
+  wall.accuracy.standard_error = 0.006; // three times that of the others
+  const auto walls = certaintyOfWalls(plan, {{WarningKind::WallOff, {2, -7}, 1, 3},
+                                             {WarningKind::WallOff, {1, 9}, 1, 3},
+                                             {WarningKind::WallOff, {1, 9}, 1, 0}});
+  ASSERT_EQ(walls.size(), 4u);
+  EXPECT_EQ(walls[2].element, "1.3");
+  EXPECT_NEAR(walls[2].area, 10, 1e-9);
+  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0.3};
+  ASSERT_EQ(walls[2].signs.size(), truth.size());
+  EXPECT_EQ(wallSigns().size(), truth.size());
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    EXPECT_NEAR(walls[2].signs[k], truth[k], 1e-9) << wallSigns()[k];
+  EXPECT_EQ(walls[1].signs.back(), 0);
+}
+
+TEST(Certainty, IsALogisticFunctionWithStepsOfItsOwn)
+{
+  Floorplan plan = measuredRoom();
+  plan.rooms[0].boundary.elements[1].evidence = {0.1, 0.2, 0.7};
+  const auto walls = certaintyOfWalls(plan, {});
+  for (const Certainty& wall : walls)
+    for (const std::size_t k : {1, 2}) {
+      EXPECT_GT(wall.within[k], wall.within[k - 1]);
+      EXPECT_NEAR(oddsOf(wall.within[k]) - oddsOf(wall.within[0]),
+                  oddsOf(walls[0].within[k]) - oddsOf(walls[0].within[0]), 1e-4);
+    }
+}
+
+TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
+{
+  const auto of = [](const Floorplan& plan, double off) {
+    return certaintyOfWalls(plan, {{WarningKind::WallOff, {off, 7}, 1, 3}})[2].right();
+  };
+  const double best = of(measuredRoom(), 0);
+  EXPECT_GT(best, 0.97);
+  EXPECT_LT(of(measuredRoom(), 5), best);
+  Floorplan plan = measuredRoom();
+  PlanElement& wall = plan.rooms[0].boundary.elements[2];
+  wall.accuracy.standard_error = 0.03;
+  EXPECT_LT(of(plan, 0), best);
+  wall.accuracy = {};
+  wall.evidence = {0, 0.5, 0.5};
+  EXPECT_LT(of(plan, 0), 0.9);
+  plan.rooms[0].boundary = sedr_test::rectangle(0, 0, 0.1, 3);
+  for (PlanElement& any : plan.rooms[0].boundary.elements)
+    any.evidence = {0, 0.5, 0.5};
+  EXPECT_LT(of(plan, 0), 0.3) << "short ones follow their neighbours";
+}
+
+TEST(Certainty, OfNoisyScansIsLessForShortDistancesOnly)
+{
+  Floorplan plan = measuredRoom();
+  for (PlanElement& wall : plan.rooms[0].boundary.elements)
+    wall.accuracy.standard_error = 0.01; // of all, so that none stands out
+  const Certainty clear = certaintyOfWalls(measuredRoom(), {})[0];
+  const Certainty noisy = certaintyOfWalls(plan, {})[0];
+  EXPECT_NEAR(noisy.within[0] / clear.within[0], 0.6827, 1e-4) << "one deviation";
+  EXPECT_NEAR(noisy.within[2] / clear.within[2], 1, 1e-4);
+}
+
+TEST(Certainty, OfOpeningsFollowsTheirEdges)
+{
+  Floorplan plan = measuredRoom();
+  plan.openings[0].residual = 0.02; // ten times that of the others
+  const auto doors = certaintyOfOpenings(plan);
+  const Certainty& door = doors[2];
+  EXPECT_EQ(door.element, "D3");
+  EXPECT_NEAR(door.area, 2, 1e-9);
+  EXPECT_NEAR(door.signs[0], std::log(9), 1e-9);
+  EXPECT_EQ(door.signs[1], 0);
+  EXPECT_NEAR(doors[0].signs[1], std::log(10), 1e-9);
+  EXPECT_EQ(door.signs.size(), openingSigns().size());
+  EXPECT_GT(door.right(), 0.9);
+  EXPECT_LT(doors[0].right(), 0.6);
+}
+
+TEST(Certainty, NothingIsSaidOfWhatIsNotKnown)
+{
+  Floorplan plan = measuredRoom();
+  plan.rooms[0].boundary.elements[0].evidence = {};
+  plan.openings.resize(1);
+  plan.openings[0].confidence = 0; // set by hand
+  EXPECT_EQ(certaintyOfWalls(plan, {}).size(), 3u);
+  EXPECT_TRUE(certaintyOfOpenings(plan).empty());
+}
+
+} // namespace
