@@ -46,8 +46,8 @@ run(const Settings& settings, Extrusion& extrusion)
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
   saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(), file.plan,
             file.origin);
-  for (const auto& line : summaryOf(extrusion.getWarnings()))
-    warn(line);
+  for (const auto& warning : extrusion.getWarnings())
+    warn(sentenceOf(warning));
   if (!extrusion.getErrorMessage().empty())
     std::cerr << "pcl_floorplan_extrusion: " << extrusion.getErrorMessage() << '\n';
   return Done;

@@ -81,8 +81,8 @@ run(const Settings& settings, Fitting& fitting)
     giveStoreys(building, plan);
   writeWhole(settings.output, documentToJson(document));
   settings.picture.write([&] { return drawPlan(plan, fitting.getBoundaries()); });
-  for (const auto& line : summaryOf(fitting.getWarnings()))
-    warn(line);
+  for (const auto& warning : fitting.getWarnings())
+    warn(sentenceOf(warning));
   for (const auto& room : plan.rooms)
     tell(room);
   return Done;

@@ -13,8 +13,8 @@ namespace {
 void
 tell(const pcl::sedr::IfcModel& model)
 {
-  for (const auto& line : summaryOf(model.warnings))
-    warn(line);
+  for (const auto& warning : model.warnings)
+    warn(sentenceOf(warning));
   say(std::to_string(model.spaces) + " spaces, " + std::to_string(model.walls) +
       " walls, " + std::to_string(model.paired_walls) +
       " of them seen from both sides, " + std::to_string(model.slabs) + " slabs, " +

@@ -49,8 +49,8 @@ run(const Settings& settings, Detection& detection)
   }
   writeWhole(settings.output, documentToJson(file));
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
-  for (const std::string& line : summaryOf(linksWithoutOpening(building, plan)))
-    warn(line);
+  for (const auto& warning : linksWithoutOpening(building, plan))
+    warn(sentenceOf(warning));
   for (const pcl::sedr::PlanOpening& opening : plan.openings)
     say(pcl::sedr::formatText(
         "%s between rooms %u and %u: %.2f x %.2f m, from z %.2f m",

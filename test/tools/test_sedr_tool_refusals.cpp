@@ -68,7 +68,7 @@ TEST_F(SedrTool, MemoryThatDoesNotSufficeIsToldWhereverItEnds)
     EXPECT_LT(limited.exit_code, 128) << megabytes << ": " << limited.err;
     EXPECT_TRUE(limited.exit_code != 1 || limited.failsInOneSentence());
     EXPECT_EQ(limited.exit_code == 0, std::filesystem::exists(in("model")))
-        << megabytes;
+        << megabytes << ": " << limited.err << limited.out;
     told += limited.err.find("memory does not suffice") != std::string::npos ? 1 : 0;
     std::filesystem::remove_all(in("model"));
   }

@@ -23,23 +23,23 @@ struct Weights {
 const Weights&
 wallWeights()
 {
-  static const Weights weights{{-1.59, -1.44, -1.39},
-                               {{"log_length", 0.90},
-                                {"measured", 1.88},
-                                {"placed", 2.34},
-                                {"log_error", -1.46},
-                                {"off", -1.10}}};
+  static const Weights weights{{-2.02, -1.32, -1.26},
+                               {{"log_length", 0.69},
+                                {"measured", 1.48},
+                                {"placed", 2.27},
+                                {"log_error", -1.24},
+                                {"off", -0.75}}};
   return weights;
 }
 
 const Weights&
 openingWeights()
 {
-  static const Weights weights{{0.85, 2.14, 2.78},
-                               {{"log_confidence", 0.06},
-                                {"log_error", -1.67},
-                                {"two_faces", 0.34},
-                                {"unknown_kind", -3.92}}};
+  static const Weights weights{{0.13, 1.59, 2.29},
+                               {{"log_confidence", 0.09},
+                                {"log_error", -1.49},
+                                {"two_faces", 0.35},
+                                {"unknown_kind", -3.84}}};
   return weights;
 }
 

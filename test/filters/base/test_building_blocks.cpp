@@ -57,8 +57,8 @@ TEST(BuildingBlocks, TheWarningsOfAPlan)
   std::ostringstream told;
   std::streambuf* const was = std::cerr.rdbuf(told.rdbuf());
   // clang-format off
-for (const std::string& line : pcl::sedr::summaryOf(warnings)) {
-  std::cerr << line << '\n';
+for (const pcl::sedr::PlanWarning& warning : warnings) {
+  std::cerr << sentenceOf(warning) << '\n';
 }
   // clang-format on
   std::cerr.rdbuf(was);

@@ -21,33 +21,25 @@ TEST(PlanWarning, ASentenceNamesTheWallAndItsNumbers)
   EXPECT_EQ(nameOf(WarningKind::Mesh), "mesh");
 }
 
-TEST(PlanWarning, TheSummaryHasALineAKindWithCountSumAndWorst)
+TEST(PlanWarning, KindsAreFoundByTheirNames)
 {
-  std::vector<PlanWarning> warnings{{WarningKind::CeilingApart, {0.5}, 1},
-                                    {WarningKind::Coverage, {}},
-                                    {WarningKind::CeilingApart, {1.5}, 2},
-                                    {WarningKind::CeilingApart, {1}, 3}};
-  const std::vector<std::string> lines = summaryOf(warnings);
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[1],
-            "3 rooms have parts of a ceiling that lie apart and are left out, 3.0 m2 "
-            "in all; most: room 2: 1.50 m2 of ceiling lie apart from the rest of its "
-            "ceiling and are left out");
-  EXPECT_TRUE(summaryOf({}).empty());
+  for (int k = 0; k <= static_cast<int>(WarningKind::Edited); ++k) {
+    const auto kind = static_cast<WarningKind>(k);
+    EXPECT_EQ(warningKindOf(nameOf(kind)), kind);
+    const WarningAdvice advice = adviceOn(kind);
+    EXPECT_EQ(advice.odds > 0, advice.stake != Stake::None) << nameOf(kind);
+    EXPECT_LT(advice.odds, 1);
+  }
+  EXPECT_FALSE(warningKindOf("no such kind"));
 }
 
-TEST(PlanWarning, TheSummaryHasTenLinesHoweverManyKindsThereAre)
+TEST(PlanWarning, ANoteFollowsTheClaim)
 {
-  std::vector<PlanWarning> warnings;
-  for (int k = 0; k <= static_cast<int>(WarningKind::Mesh); ++k)
-    for (std::uint32_t room = 1; room < 100; ++room)
-      warnings.push_back({static_cast<WarningKind>(k), {1, 2, 3, 4, 5, 6}, room});
-  const std::vector<std::string> lines = summaryOf(warnings);
-  ASSERT_EQ(lines.size(), 10u);
-  const auto kinds = static_cast<std::size_t>(WarningKind::Mesh) + 1;
-  EXPECT_EQ(lines.back(), "and " + std::to_string(99 * (kinds - 9)) + " more of " +
-                              std::to_string(kinds - 9) +
-                              " other kinds, see the report");
+  PlanWarning warning{WarningKind::NoDoor, {4}, 2};
+  warning.note = "before the plan was edited";
+  EXPECT_EQ(claimOf(warning),
+            "no door, passage or stair leads into it (before the plan was edited)");
+  EXPECT_EQ(subjectOf(warning), "room 2");
 }
 
 /** A room of 4 m x 3 m x 2.5 m, with a door of 1 m x 2 m in its first wall. */

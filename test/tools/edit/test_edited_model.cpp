@@ -26,17 +26,20 @@ protected:
     SampleResult().writeTo(model());
     writeFile(in("model/floorplan_1.svg"), "of a building with storeys");
     writeFile(in("model/notes.txt"), "of the user");
-    const auto doubt = [](int room, int wall, const char* text) {
-      return Json{{"kind", "wall_off"}, {"room", room}, {"wall", wall}, {"text", text}};
+    const auto doubt = [](int room, int wall, const char* reason) {
+      return Json{{"kind", "stage"},
+                  {"room", room},
+                  {"wall", wall},
+                  {"reason", reason},
+                  {"text", reason}};
     };
     Json report = reportNow();
     report["files"] = {"structure.pcd", "mesh.ply",        "floorplan.json",
                        "solid.ply",     "floorplan_1.svg", "report.json"};
     report["rooms"] = {{{"id", 1}, {"mesh", "of 1"}}, {{"id", 2}, {"mesh", "of 2"}}};
     report["walls"] = {{{"room", 1}, {"walls", {3}}}, {{"room", 2}, {"walls", {2}}}};
-    report["warnings"] = {doubt(0, 0, "of all"), doubt(1, 3, "wall 1.3: off"),
-                          doubt(1, 0, "room 1: low"), doubt(2, 2, "wall 2.2: off"),
-                          doubt(2, 0, "room 2: low")};
+    report["warnings"] = {doubt(0, 0, "of all"), doubt(1, 3, "off"), doubt(1, 0, "low"),
+                          doubt(2, 2, "off"), doubt(2, 0, "low")};
     for (const auto& [key, text] : {std::pair("title", "Mill Lane 14"),
                                     {"client", "Smith"},
                                     {"project", "P-17"},
@@ -136,6 +139,12 @@ TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)
   EXPECT_EQ(texts,
             (std::vector<std::string>{"of all", "wall 1.3: off", "room 1: low",
                                       "room 2: low (before the plan was edited)"}));
+  std::vector<std::string> subjects;
+  for (const Json& doubt : report["doubts"])
+    subjects.push_back(doubt["subject"]);
+  for (const char* const subject : {"wall 1.3", "room 1", "room 2"})
+    EXPECT_EQ(std::count(subjects.begin(), subjects.end(), subject), 1) << subject;
+  EXPECT_TRUE(report["verdict"].contains("text"));
 }
 
 TEST_F(EditedModel, ARoomOfAnotherHeightIsNotTheOneThatWasMeasured)

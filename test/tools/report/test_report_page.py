@@ -60,9 +60,10 @@ def sample_report():
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
             "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
             "noise": [{"rooms": [1, 2], "measured": 0.0052, "correlation": 0.12, "stretches": 9}],
-            "warnings": [{"kind": "stage", "room": 2, "wall": 3, "at": [4.75, 0.5], "values": [1], "text": "wall 2.3: second"},
-                         {"kind": "stage", "room": 1, "wall": 0, "at": [0.75, 2.5], "values": [2], "text": "room 1: <b>a part</b>"}],
-            "unlikely": [{"kind": "no_door", "room": 1, "wall": 0, "at": None, "values": [12], "text": "room 1: no door"}]}
+            "verdict": {"verdict": "check", "checks": 2, "text": "check these 2 places before you hand it over"},
+            "doubts": [{"subject": "room 1", "room": 1, "at": [0.75, 2.5], "stake": 2, "kinds": ["stage"], "text": "look at room 1: <b>a part</b>"},
+                       {"subject": "wall 2.3", "room": 2, "at": [4.75, 0.5], "stake": 1, "kinds": ["stage"], "text": "look at wall 2.3: second"},
+                       {"subject": "", "room": 0, "at": None, "stake": 0, "kinds": ["strays"], "text": "strays were left out"}]}
 
 
 def write_scan(path):
@@ -333,8 +334,10 @@ class ReportInABrowser(BrowserCase):
     def test_what_is_amiss_is_told_with_a_remedy(self):
         words = self.words(self.open(), "#check")
         self.assertIn("Room 1: its mesh is not closed: 2 edges are open.", words)
-        self.assertIn("2 of this kind: room 1: <b>a part</b> …", words)
-        self.assertIn("room 1: no door", words)
+        self.assertIn("Check these 2 places before you hand it over.", words)
+        self.assertIn("look at room 1: <b>a part</b>", words)
+        self.assertIn("2.00 m² at stake", words)
+        self.assertIn("strays were left out", words)
         self.assertIn("Take the solid, solid.ply.", words)
 
     def test_the_share_of_walls_that_was_measured_and_their_noise_head_the_page(self):
@@ -347,7 +350,7 @@ class ReportInABrowser(BrowserCase):
         marks = browser.run("[...document.querySelectorAll('#plan .mark')].map(mark => {"
                             " const sheet = mark.parentElement.getBoundingClientRect(), box = mark.getBoundingClientRect();"
                             " return [mark.textContent, mark.title, box.x + box.width / 2 - sheet.x, box.y + box.height / 2 - sheet.y]; })")
-        self.assertEqual([mark[:2] for mark in marks], [["1", "room 1: <b>a part</b>"], ["2", "wall 2.3: second"]])
+        self.assertEqual([mark[:2] for mark in marks], [["1", "look at room 1: <b>a part</b>"], ["2", "look at wall 2.3: second"]])
         # From (0.75, 2.5) to (4.75, 0.5), where no text is: twice as far to the right as down.
         self.assertAlmostEqual((marks[1][2] - marks[0][2]) / (marks[1][3] - marks[0][3]), 2, delta=0.005)
         # The wall that was scanned, y = 3, is on the slice, half a metre above the first place.
@@ -535,7 +538,7 @@ class OtherReportsInABrowser(BrowserCase):
 
     def test_numbers_of_warnings_lie_beside_texts_and_each_other(self):
         report = sample_report()
-        report["warnings"] = [{"kind": "sparse", "text": "thin", "room": 1, "at": [1 + k % 5 * 0.4, 1 + k // 5 * 0.4]} for k in range(20)]
+        report["doubts"] = [{"text": "thin", "room": 1, "at": [1 + k % 5 * 0.4, 1 + k // 5 * 0.4]} for k in range(20)]
         self.write("report.json", report)
         self.make(*WITHOUT_MODEL)
         meeting = self.open().run("""(() => {
@@ -550,11 +553,11 @@ class OtherReportsInABrowser(BrowserCase):
           const inside = ([x, y]) => texts.some(box => x > box.left && x < box.right && y > box.top && y < box.bottom);
           const near = (a, b) => a !== b && Math.hypot(a[0] - b[0], a[1] - b[1]) < 8;
           return [marks.length, texts.length > 5, marks.filter(inside).length, marks.filter(a => marks.some(b => near(a, b))).length]; })()""")
-        self.assertEqual(meeting, [20, True, 0, 0])
+        self.assertEqual(meeting, [10, True, 0, 0], "ten are shown, the rest is folded")
 
     def test_nothing_amiss_is_told_too(self):
         report = sample_report()
-        report["warnings"], report["unlikely"] = [], []
+        report["doubts"] = []
         report["rooms"][0] = {**report["rooms"][1], "id": 1, "area": 11.75}
         self.write("report.json", report)
         self.make("--scan", self.scan, *WITHOUT_MODEL)

@@ -178,19 +178,20 @@ editModel(const std::string& path, const EditPlan& edit)
   const std::string ending = nextEnding(path);
   model.write("floorplan.json" + ending, model.plan_text);
   model.write("report.json" + ending, model.report_text);
-  const Json rooms = model.report["rooms"];
-  setPlan(model.report, document.plan, model.ifc.schedules,
-          model.extrusion.getReports(), {});
-  carryOver(model.report, rooms, before, document.plan, edits);
-  std::vector<PlanWarning> warnings = model.extrusion.getWarnings();
+  std::vector<PlanWarning> warnings =
+      carriedWarnings(model.report, before, document.plan, edits);
+  std::vector<PlanWarning> of_files = model.extrusion.getWarnings();
   for (const RoomSolidReport& solid : model.extrusion.getReports())
     if (!solid.problem.empty())
-      warnings.push_back({WarningKind::NoSolid, {}, solid.room, 0, solid.problem});
-  warnings.insert(warnings.end(), model.ifc.warnings.begin(), model.ifc.warnings.end());
-  for (Json& warning : warningsOf(warnings, document.plan))
-    model.report["warnings"].push_back(std::move(warning));
-  for (const std::string& line : summaryOf(warnings))
-    warn(line);
+      of_files.push_back({WarningKind::NoSolid, {}, solid.room, 0, solid.problem});
+  of_files.insert(of_files.end(), model.ifc.warnings.begin(), model.ifc.warnings.end());
+  for (const PlanWarning& warning : of_files)
+    warn(sentenceOf(warning));
+  warnings.insert(warnings.end(), of_files.begin(), of_files.end());
+  const Json rooms = model.report["rooms"];
+  setPlan(model.report, document.plan, model.ifc.schedules,
+          model.extrusion.getReports(), warnings);
+  carryOver(model.report, rooms, before, document.plan);
   return model.finish();
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edited_report.h"
 
-#include "sedr_filters/src/editing/room_references.h"
+#include "model/plan_report.h"
 
-#include <boost/algorithm/string/replace.hpp>
+#include "sedr_filters/src/editing/room_references.h"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +21,6 @@ using Json = nlohmann::ordered_json;
 struct WallNumber {
   std::uint32_t room = 0;
   std::size_t wall = 0;
-
-  std::string text() const { return std::to_string(room) + "." + std::to_string(wall); }
 };
 
 /** @brief Finds what an edit left as it was. */
@@ -70,37 +68,6 @@ private:
   const Floorplan& plan_;
 };
 
-/** @brief Returns the doubts that hold for the new plan. */
-Json
-doubtsOf(const Json& warnings, const Untouched& untouched)
-{
-  const std::set<std::string> of_files{"crossing", "contradiction", "opening_closed",
-                                       "no_solid", "not_in_ifc",    "ifc_loss",
-                                       "edited"}; // which are told anew
-  Json kept = Json::array();
-  for (Json warning : warnings) {
-    const auto room = warning.value("room", 0U);
-    const WallNumber wall{room, warning.value("wall", std::size_t{0})};
-    if (of_files.count(warning.value("kind", "")) > 0 ||
-        (room != 0 && !untouched.hasRoom(room) && wall.wall == 0))
-      continue;
-    std::string text = warning.value("text", "");
-    if (wall.wall > 0) {
-      const auto now = untouched.find(wall);
-      if (!now)
-        continue;
-      warning["room"] = now->room;
-      warning["wall"] = now->wall;
-      boost::replace_first(text, wall.text() + ":", now->text() + ":");
-    }
-    else if (room != 0 && !untouched.isSameRoom(room))
-      text += " (before the plan was edited)";
-    warning["text"] = text;
-    kept.push_back(std::move(warning));
-  }
-  return kept;
-}
-
 /** @brief Returns the maps of walls that are as they were. */
 Json
 mapsOf(const Json& maps, const Untouched& untouched)
@@ -126,12 +93,49 @@ mapsOf(const Json& maps, const Untouched& untouched)
 
 } // namespace
 
+std::vector<PlanWarning>
+carriedWarnings(Json& report,
+                const Floorplan& before,
+                const Floorplan& plan,
+                const std::vector<std::string>& edits)
+{
+  const std::set<WarningKind> of_files{
+      WarningKind::Crossing, WarningKind::Contradiction, WarningKind::OpeningClosed,
+      WarningKind::NoSolid,  WarningKind::NotInIfc,      WarningKind::IfcLoss,
+      WarningKind::Edited}; // which are told anew
+  const Untouched untouched(before, plan);
+  Json& all = report["edits"];
+  for (const std::string& edit : edits)
+    all.push_back(edit);
+  std::vector<PlanWarning> kept{
+      warningOf(WarningKind::Edited,
+                "the plan was edited by hand: " + all.back().get<std::string>() +
+                    (all.size() > 1 ? ", the last of " + std::to_string(all.size()) +
+                                          " edits that report.json tells"
+                                    : "") +
+                    "; mesh, points and distances are those of the scan")};
+  for (PlanWarning& warning : warningsIn(report)) {
+    const bool is_of_wall = warning.wall > 0;
+    const auto now = untouched.find({warning.room, warning.wall});
+    if (of_files.count(warning.kind) > 0 || (is_of_wall && !now) ||
+        (warning.room != 0 && !is_of_wall && !untouched.hasRoom(warning.room)))
+      continue;
+    if (is_of_wall) {
+      warning.room = now->room;
+      warning.wall = now->wall;
+    }
+    else if (warning.room != 0 && !untouched.isSameRoom(warning.room))
+      warning.note = "before the plan was edited";
+    kept.push_back(std::move(warning));
+  }
+  return kept;
+}
+
 void
 carryOver(Json& report,
           const Json& rooms,
           const Floorplan& before,
-          const Floorplan& plan,
-          const std::vector<std::string>& edits)
+          const Floorplan& plan)
 {
   const Untouched untouched(before, plan);
   for (Json& room : report["rooms"])
@@ -140,23 +144,6 @@ carryOver(Json& report,
         for (const char* kept : {"unseen_outline", "mesh"})
           room[kept] = old.value(kept, Json());
   report["walls"] = mapsOf(report["walls"], untouched);
-  Json& all = report["edits"];
-  for (const std::string& edit : edits)
-    all.push_back(edit);
-  Json warnings = doubtsOf(report["warnings"], untouched);
-  Json edited;
-  edited["kind"] = "edited";
-  edited["room"] = 0;
-  edited["wall"] = 0;
-  edited["at"] = nullptr;
-  edited["values"] = Json::array({all.size()});
-  edited["text"] = "the plan was edited by hand: " + all.back().get<std::string>() +
-                   (all.size() > 1 ? ", the last of " + std::to_string(all.size()) +
-                                         " edits that report.json tells"
-                                   : "") +
-                   "; mesh, points and distances are those of the scan";
-  warnings.insert(warnings.begin(), edited);
-  report["warnings"] = warnings;
 }
 
 } // namespace pcl::sedr::tools

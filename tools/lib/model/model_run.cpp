@@ -313,14 +313,17 @@ makeModel(const ModelSettings& settings,
   record.files.emplace_back("report.json");
   if (settings.report)
     record.files.emplace_back("report.html");
-  writeWhole(folder.file("report.json"), makeReport(record, chain));
+  PlanReview review;
+  writeWhole(folder.file("report.json"), makeReport(record, chain, review));
   std::string problem;
   if (settings.report)
     problem = writeReportPage(settings, folder);
-  folder.exchange();
-  for (const auto& line : summaryOf(record.warnings))
+  const std::vector<std::string> doubts = firstOf(review.doubts);
+  const std::string summary = summaryOf(record, chain) + "\n" + review.text;
+  folder.exchange(); // what follows needs no memory to speak of
+  for (const std::string& line : doubts)
     warn(line);
-  std::cout << summaryOf(record, chain) << std::endl;
+  std::cout << summary << std::endl;
   if (!problem.empty())
     throw ToolError(problem);
   return Done;

@@ -2,12 +2,10 @@
 #include "plan_report.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_surface/src/sheet/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/certainty.h>
-#include <pcl/sedr_surface/coverage.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -158,38 +156,81 @@ certaintyOf(const std::vector<Certainty>& elements,
   return {{"columns", columns}, {"rows", rows}};
 }
 
-/** @brief Returns the place of a warning in plan, null if it has none. */
 Json
-placeOf(const PlanWarning& warning, const Floorplan& plan)
+placeOf(const Eigen::Vector2d& at)
 {
-  Eigen::Vector2d at = warning.at;
-  for (const PlanRoom& room : plan.rooms)
-    if (room.id == warning.room && !at.allFinite()) {
-      const std::vector<PlanElement>& walls = room.boundary.elements;
-      at = warning.wall > 0 && warning.wall <= walls.size()
-               ? walls[warning.wall - 1].pointAt(walls[warning.wall - 1].length() / 2)
-               : textSpotIn(room.boundary, room.columns).place;
-    }
   return at.allFinite() ? Json{at.x(), at.y()} : Json();
 }
 
-} // namespace
-
 Json
-warningsOf(const std::vector<PlanWarning>& list, const Floorplan& plan)
+warningsOf(const std::vector<PlanWarning>& list)
 {
   Json warnings = Json::array();
   for (const PlanWarning& warning : list)
     warnings.push_back({{"kind", nameOf(warning.kind)},
                         {"room", warning.room},
                         {"wall", warning.wall},
-                        {"at", placeOf(warning, plan)},
+                        {"at", placeOf(warning.at)},
                         {"values", warning.values},
+                        {"reason", warning.reason},
+                        {"note", warning.note},
                         {"text", sentenceOf(warning)}});
   return warnings;
 }
 
-void
+Json
+doubtsOf(const std::vector<PlanDoubt>& list)
+{
+  Json doubts = Json::array();
+  for (const PlanDoubt& doubt : list) {
+    std::vector<std::string> kinds;
+    for (const WarningKind kind : doubt.kinds)
+      kinds.push_back(nameOf(kind));
+    doubts.push_back({{"subject", doubt.subject},
+                      {"room", doubt.room},
+                      {"at", placeOf(doubt.at)},
+                      {"stake", doubt.stake},
+                      {"kinds", kinds},
+                      {"text", doubt.text}});
+  }
+  return doubts;
+}
+
+Json
+verdictOf(const PlanReview& review)
+{
+  constexpr std::array<const char*, 3> verdicts{"hand_over", "check", "scan_again"};
+  return {{"verdict", verdicts[static_cast<std::size_t>(review.verdict)]},
+          {"checks", review.checks},
+          {"within_1cm", review.within[0]},
+          {"within_3cm", review.within[1]},
+          {"within_5cm", review.within[2]},
+          {"text", review.text}};
+}
+
+} // namespace
+
+std::vector<PlanWarning>
+warningsIn(const Json& report)
+{
+  std::vector<PlanWarning> warnings;
+  for (const Json& told : report.value("warnings", Json::array())) {
+    PlanWarning warning;
+    const auto kind = warningKindOf(told.value("kind", ""));
+    warning.kind = kind.value_or(WarningKind::Stage);
+    warning.room = told.value("room", 0U);
+    warning.wall = told.value("wall", std::size_t{0});
+    warning.values = told.value("values", std::vector<double>());
+    warning.reason = told.value("reason", told.value("text", ""));
+    warning.note = told.value("note", "");
+    if (const auto at = told.find("at"); at != told.end() && at->is_array())
+      warning.at = Eigen::Vector2d(at->at(0).get<double>(), at->at(1).get<double>());
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+PlanReview
 setPlan(Json& report,
         const Floorplan& plan,
         const Schedules& schedules,
@@ -202,10 +243,13 @@ setPlan(Json& report,
   report["schedules"] = schedulesOf(schedules);
   report["accuracy"] = accuracyOf(schedules);
   report["openings"] = openingsOf(plan);
-  report["certainty"] = {
-      {"walls", certaintyOf(certaintyOfWalls(plan, warnings), wallSigns())},
-      {"openings", certaintyOf(certaintyOfOpenings(plan), openingSigns())}};
-  report["unlikely"] = warningsOf(unlikelyPlaces(plan), plan);
+  PlanReview review = reviewOf(plan, warnings);
+  report["certainty"] = {{"walls", certaintyOf(review.walls, wallSigns())},
+                         {"openings", certaintyOf(review.openings, openingSigns())}};
+  report["warnings"] = warningsOf(warnings);
+  report["doubts"] = doubtsOf(review.doubts);
+  report["verdict"] = verdictOf(review);
+  return review;
 }
 
 namespace {

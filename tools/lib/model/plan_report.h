@@ -2,9 +2,9 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/plan_review.h>
 #include <pcl/sedr_surface/room_solid.h>
 #include <pcl/sedr_surface/schedules.h>
 
@@ -28,16 +28,16 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(SheetTexts,
 namespace pcl::sedr::tools {
 
 /** @brief Sets what a report.json tells of a plan: its storeys, rooms, openings and
- * schedules, how much of its walls was measured, and what is unlikely. */
-void setPlan(nlohmann::ordered_json& report,
-             const Floorplan& plan,
-             const Schedules& schedules,
-             const std::vector<RoomSolidReport>& solids,
-             const std::vector<PlanWarning>& warnings);
+ * schedules, how much of its walls was measured, warnings and doubts.
+ * @return its review */
+PlanReview setPlan(nlohmann::ordered_json& report,
+                   const Floorplan& plan,
+                   const Schedules& schedules,
+                   const std::vector<RoomSolidReport>& solids,
+                   const std::vector<PlanWarning>& warnings);
 
-/** @brief Returns warnings with their places in plan, as report.json has them. */
-nlohmann::ordered_json warningsOf(const std::vector<PlanWarning>& list,
-                                  const Floorplan& plan);
+/** @brief Returns the warnings that a report.json tells. */
+std::vector<PlanWarning> warningsIn(const nlohmann::ordered_json& report);
 
 /** @brief Returns the file of a report. */
 std::string textOf(nlohmann::ordered_json report, const Origin& origin);

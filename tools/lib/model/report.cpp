@@ -131,7 +131,7 @@ coverageOf(const Coverage& coverage)
 } // namespace
 
 std::string
-makeReport(const RunRecord& run, const Reconstruction& chain)
+makeReport(const RunRecord& run, const Reconstruction& chain, PlanReview& review)
 {
   Json evaluation;
   if (run.figures) {
@@ -143,12 +143,14 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
   const Floorplan& plan = *chain.getFloorplan();
   Json json{{"format", format_name},
             {"version", format_version},
+            {"verdict", nullptr}, // reserves its position, as others do
+            {"doubts", nullptr},
             {"files", run.files},
             {"input", inputOf(run)},
             {"parameters", parametersOf(run, chain)},
             {"priors", priorsOf(chain)},
             {"stages", stagesOf(run)},
-            {"storeys", nullptr}, // reserves its position, as others do
+            {"storeys", nullptr},
             {"origin", nullptr},
             {"levelling", model.levelling ? levellingToJson(*model.levelling) : Json()},
             {"frame", frameOf(model)},
@@ -161,11 +163,10 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"openings", nullptr},
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
-            {"evaluation", evaluation},
-            {"warnings", warningsOf(run.warnings, plan)}};
+            {"evaluation", evaluation}};
   json["parameters"].update(Json(nlohmann::json(run.texts)));
-  setPlan(json, plan, run.schedules, chain.getStages().extrusion.getReports(),
-          run.warnings);
+  review = setPlan(json, plan, run.schedules, chain.getStages().extrusion.getReports(),
+                   run.warnings);
   tellScanOfRooms(chain, json["rooms"]);
   return textOf(std::move(json), chain.getOrigin());
 }

@@ -7,6 +7,7 @@
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
+#include <pcl/sedr_surface/plan_review.h>
 #include <pcl/sedr_surface/schedules.h>
 
 #include <cstddef>
@@ -30,11 +31,13 @@ struct RunRecord {
   std::vector<PlanWarning> warnings;           ///< of the chain and of what was written
 };
 
-/** @brief Returns report.json: input, parameters, stages, rooms, coverage, mesh,
- * distances, warnings. Real numbers have seven significant digits. The same input and
- * options give the same text, except for the `seconds` of stages. */
+/** @brief Returns report.json: verdict, doubts, input, parameters, stages, rooms,
+ * coverage, mesh, distances, warnings. Real numbers have seven significant digits. The
+ * same input and options give the same text, except for the `seconds` of stages.
+ * @param[out] review of the plan */
 std::string makeReport(const RunRecord& run,
-                       const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
+                       const IndoorStructureReconstruction<pcl::PointXYZ>& chain,
+                       PlanReview& review);
 
 /** @brief Returns one line: "4 rooms, 98.8 square metres, 4 closed meshes, 12.3 s". */
 std::string summaryOf(const RunRecord& run,

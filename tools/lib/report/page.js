@@ -87,33 +87,30 @@
         'Often that is furniture at the walls: see where it is in the picture of distances.'];
   }
 
-  // Warnings by kind, of earlier versions sentences; several of a kind are folded.
-  function warnings(list) {
-    const kinds = new Map();
-    [...report.warnings || [], ...report.unlikely || []].map(told => typeof told === 'string' ? { text: told, kind: told } : told)
-      .forEach(told => kinds.set(told.kind, [...kinds.get(told.kind) || [], told]));
-    const remedies = { sparse: 'A denser scan, or scans from more places, would show more.',
-      filled_in: 'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.' };
-    for (const [kind, told] of kinds) {
-      told.sort((a, b) => (b.values?.[0] ?? 0) - (a.values?.[0] ?? 0)); // the worst first
-      const texts = told.map(({ text, at, room }) => {
-        if (at) marks.push({ number: marks.length + 1, at, room, text });
-        return make('span', {}, text, ...(at ? [make('span', { class: 'mark' }, String(marks.length))] : []));
-      });
-      list.append(make('li', {}, texts.length === 1 ? texts[0] : make('details', {},
-        make('summary', {}, `${texts.length} of this kind: ${told[0].text} …`), make('ul', {}, ...texts.map(text => make('li', {}, text)))),
-        ...(remedies[kind] ? [make('span', { class: 'remedy' }, remedies[kind])] : [])));
+  // What puts most at stake comes first; of earlier versions warnings, also sentences.
+  function doubts(list) {
+    const all = (report.doubts || report.warnings || []).map(told => typeof told === 'string' ? { text: told } : told);
+    const most = 10;
+    const item = ({ text, stake }, ...more) => make('li', {}, text, ...more,
+      ...(stake ? [make('span', { class: 'remedy' }, `${number(stake, 2)}\u00a0m² at stake`)] : []));
+    for (const told of all.slice(0, most)) {
+      if (told.at) marks.push({ number: marks.length + 1, ...told });
+      list.append(item(told, ...(told.at ? [make('span', { class: 'mark' }, String(marks.length))] : [])));
     }
+    if (all.length > most)
+      list.append(make('li', {}, make('details', {}, make('summary', {}, `${all.length - most} more places where less is at stake`),
+        make('ul', {}, ...all.slice(most).map(told => item(told))))));
   }
 
-  const marks = []; // places of warnings, drawn on the plan
+  const marks = []; // places of doubts, drawn on the plan
 
   function check(section) {
-    const list = section.querySelector('ul');
+    const list = section.querySelector('ul'), { text } = report.verdict || {};
+    if (text) section.querySelector('.verdict').append(text[0].toUpperCase() + text.slice(1) + '.');
+    doubts(list);
     for (const source of [openModels, farPoints])
       for (const [finding, remedy] of source())
         list.append(make('li', {}, finding, ...(remedy ? [make('span', { class: 'remedy' }, remedy)] : [])));
-    warnings(list);
     const unknown = [[rooms.every(room => room.mesh || room.solid), 'whether all rooms are closed'],
       [rooms.every(room => room.support), 'how much of their walls was measured'], [distances, 'how far the points lie from the model']]
       .filter(([isKnown]) => !rooms.length || !isKnown).map(([, text]) => text);

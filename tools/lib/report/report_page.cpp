@@ -89,7 +89,7 @@ drawings(const PlanDocument& file)
   DrawingSettings settings;
   settings.max_wall = file.max_wall;
   settings.paper = PaperSize::A4;
-  settings.wall_numbers = true; // warnings name them
+  settings.wall_numbers = true; // doubts name them
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
     settings.storey = storeys.size() > 1 ? &storey : nullptr;
@@ -157,7 +157,7 @@ pageData(const std::string& path, const PageSettings& settings)
       const char* const text =
           "floorplan.json is not the plan that report.json tells of: the report's "
           "figures are left out, and solid, mesh and points may be of the earlier plan";
-      json["report"] = {{"warnings", {{{"kind", "other_plan"}, {"text", text}}}}};
+      json["report"] = {{"doubts", {{{"text", text}}}}};
     }
   }
   const TriangleMesh mesh = folder.mesh("mesh.ply"); // triangles face into the rooms

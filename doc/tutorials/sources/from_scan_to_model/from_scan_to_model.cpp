@@ -27,8 +27,8 @@ main(int argc, char** argv)
   for (const auto& stage : reconstruction.getModel().reports)
     std::cout << stage.name << ": " << stage.points_in << " points in, "
               << stage.points_out << " out\n";
-  for (const auto& warning : summaryOf(reconstruction.getModel().warnings))
-    std::cout << "warning: " << warning << '\n';
+  for (const auto& warning : reconstruction.getModel().warnings)
+    std::cout << "warning: " << sentenceOf(warning) << '\n';
   for (const auto& room : reconstruction.getFloorplan()->rooms)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "
               << room.boundary.elements.size() << " walls\n";

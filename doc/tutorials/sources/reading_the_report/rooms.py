@@ -9,5 +9,5 @@ with open(sys.argv[1] + "/report.json") as file:
 for room in report["rooms"]:
     print(f"room {room['id']}: {room['area']:.2f} m2, {room['walls']} walls, "
           f"{100 * room['support']['measured']:.0f} % of them measured")
-for warning in report["warnings"]:
-    print("warning:", warning["text"])
+for doubt in report["doubts"][:10]:
+    print(doubt["text"])

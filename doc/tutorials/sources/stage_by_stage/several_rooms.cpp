@@ -78,8 +78,8 @@ main(int argc, char** argv)
     std::cerr << fitting.getErrorMessage() << '\n';
     return 2;
   }
-  for (const std::string& line : summaryOf(fitting.getWarnings()))
-    std::cout << "warning: " << line << '\n';
+  for (const auto& warning : fitting.getWarnings())
+    std::cout << "warning: " << sentenceOf(warning) << '\n';
   giveStoreys(building, *plan); // with stairs
   // [plan]
 

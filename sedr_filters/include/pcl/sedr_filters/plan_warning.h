@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,7 +56,19 @@ enum class WarningKind {
   Height,        ///< m
   Ragged,        ///< walls in 10 m
   FlatArc,       ///< rise in cm, radius in m
-  SmallStorey    ///< m2; reason: its name
+  SmallStorey,   ///< m2; reason: its name
+  Edited         ///< reason
+};
+
+/** @brief What a warning puts at stake: nothing, as many square metres as its first
+ * value tells, those of its room or those of the plan. */
+enum class Stake { None, Value, Room, Plan };
+
+/** @brief What to make of a kind of warning. */
+struct WarningAdvice {
+  const char* act; ///< what to do, before the name of a wall or room: "look at"
+  Stake stake;     ///< other than that of a wall or opening, see Certainty
+  double odds;     ///< probability that what is at stake is wrong
 };
 
 /** @brief What a stage doubts, for programs; sentenceOf() tells it in words. */
@@ -68,6 +81,7 @@ struct PlanWarning {
   /** In plan; NaN if not known. */
   Eigen::Vector2d at =
       Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::string note{}; ///< on the warning, in words
 };
 
 /** @brief Returns a warning in words of its own. */
@@ -83,13 +97,18 @@ warningOf(WarningKind kind,
 /** @brief Returns the name of a kind in files: "ceiling_off". */
 std::string nameOf(WarningKind kind);
 
-/** @brief Returns a warning as a sentence: "wall 3.12: it is tilted by 2.10 degrees
- * into the room". */
-std::string sentenceOf(const PlanWarning& warning);
+/** @brief Returns the kind of that name; nothing if there is none. */
+std::optional<WarningKind> warningKindOf(const std::string& name);
 
-/** @brief Returns one line a kind, at most `most`: the sentence of a single warning,
- * else how many there are, how much in all, and the worst. */
-std::vector<std::string> summaryOf(const std::vector<PlanWarning>& warnings,
-                                   std::size_t most = 10);
+WarningAdvice adviceOn(WarningKind kind);
+
+/** @brief Returns what a warning is about: "wall 3.12", "room 3"; empty: the whole. */
+std::string subjectOf(const PlanWarning& warning);
+
+/** @brief Returns what it tells: "it is tilted by 2.10 degrees into the room". */
+std::string claimOf(const PlanWarning& warning);
+
+/** @brief Returns both: "wall 3.12: it is tilted by 2.10 degrees into the room". */
+std::string sentenceOf(const PlanWarning& warning);
 
 } // namespace pcl::sedr

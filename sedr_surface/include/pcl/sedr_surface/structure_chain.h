@@ -96,7 +96,7 @@ struct StructureModel {
   std::shared_ptr<Floorplan> plan = std::make_shared<Floorplan>();
   StructureCloud::Ptr structure{new StructureCloud}; ///< refined and repaired
   std::vector<StageReport> reports;
-  std::vector<PlanWarning> warnings; ///< see sentenceOf() and summaryOf()
+  std::vector<PlanWarning> warnings; ///< see sentenceOf() and reviewOf()
   std::string unit_doubt;   ///< the one of `warnings` that doubts the unit, or empty
   std::string failed_stage; ///< "input" if the scan is to blame; empty: none
   std::string problem;      ///< why it failed, a sentence

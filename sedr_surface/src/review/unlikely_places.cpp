@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "unlikely_places.h"
+
 #include "../sheet/text_spot.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/coverage.h>
 
 #include <algorithm>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../plan_loops.h"
-#include "sedr_surface/src/chain/unexplained_surfaces.h"
-
-#include <pcl/sedr_surface/coverage.h>
+#include "sedr_surface/src/review/unlikely_places.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "unlikely_places.h"
+
+#include "../sheet/text_spot.h"
+#include "sedr_filters/src/base/number_text.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/plan_review.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double sure = 0.9;     // probability of what is not doubted
+constexpr double same_place = 1; // metres
+constexpr double little = 0.02;  // share of walls and floors, after the checks
+constexpr double too_much = 0.1; // share of walls and floors, of all doubts
+constexpr std::size_t most_checks = 10;
+
+std::string
+percent(double share)
+{
+  return decimalText(100 * share, 0) + " %";
+}
+
+std::string
+subjectOf(const PlanOpening& opening)
+{
+  return (opening.kind == OpeningKind::Unknown ? "opening" : nameOf(opening.kind)) +
+         (" " + markOf(opening));
+}
+
+/** @brief Returns why a wall without a warning is not sure. */
+std::string
+reasonOf(const PlanElement& wall, double measured)
+{
+  const SurfaceAccuracy& accuracy = wall.accuracy;
+  return "it is " + decimalText(wall.length(), 2) + " m long, " + percent(measured) +
+         " of it was measured" +
+         (accuracy.isKnown()
+              ? ", with a standard error of " +
+                    decimalText(1000 * accuracy.standard_error, 1) + " mm"
+              : ", too little for its place");
+}
+
+/** @brief Returns why an opening is not sure. */
+std::string
+reasonOf(const PlanOpening& opening)
+{
+  std::string reason =
+      "its edges are known to " + decimalText(100 * opening.residual, 1) + " cm";
+  if (!opening.hasSeenReveals())
+    reason += ", its jambs were hidden";
+  if (opening.kind != OpeningKind::Window && opening.leadsOutside())
+    reason += ", no room was seen beyond";
+  if (opening.kind == OpeningKind::Unknown)
+    reason += ", its kind is not known";
+  else if (opening.confidence < sure)
+    reason += ", its kind is " + percent(opening.confidence) + " sure";
+  return reason;
+}
+
+double
+areaOf(const Floorplan& plan)
+{
+  double area = 0;
+  for (const PlanRoom& room : plan.rooms)
+    area += room.area();
+  return area;
+}
+
+/** @brief Gathers the doubts of a plan, one a place. */
+class Doubts {
+public:
+  explicit Doubts(const Floorplan& plan)
+      : plan_(plan)
+  {}
+
+  void add(const PlanWarning& warning)
+  {
+    const PlanOpening* const opening =
+        warning.kind == WarningKind::NarrowDoor ? openingAt(warning.at) : nullptr;
+    Draft& draft = opening
+                       ? draftOf(subjectOf(*opening), warning.room, warning.at, true)
+                       : draftOf(sedr::subjectOf(warning), warning.room,
+                                 placeOf(warning), warning.wall > 0);
+    const WarningAdvice advice = adviceOn(warning.kind);
+    const double stake = advice.odds * areaAtStake(advice.stake, warning);
+    if (draft.claims.empty() || stake > draft.doubt.stake)
+      draft.act = advice.act;
+    draft.doubt.stake = std::max(draft.doubt.stake, stake);
+    draft.doubt.kinds.push_back(warning.kind);
+    draft.claims.push_back(claimOf(warning));
+  }
+
+  /** @brief Adds walls and openings that are not sure, and tells of those that are
+   * doubted how sure they are. */
+  void add(const PlanReview& review)
+  {
+    for (const Certainty& of : review.walls) {
+      const PlanElement& wall = findRoom(plan_, of.room)->boundary.elements[of.index];
+      add(of, "wall " + of.element, wall.pointAt(wall.length() / 2),
+          [&] { return reasonOf(wall, of.signs[1]); });
+    }
+    for (const Certainty& of : review.openings) {
+      const PlanOpening& opening = plan_.openings[of.index];
+      add(of, subjectOf(opening), (opening.start + opening.end) / 2,
+          [&] { return reasonOf(opening); });
+    }
+  }
+
+  std::vector<PlanDoubt> sorted()
+  {
+    std::vector<PlanDoubt> doubts;
+    for (Draft& draft : drafts_) {
+      draft.doubt.text = textOf(draft);
+      doubts.push_back(std::move(draft.doubt));
+    }
+    std::stable_sort(doubts.begin(), doubts.end(),
+                     [](const auto& a, const auto& b) { return a.stake > b.stake; });
+    return doubts;
+  }
+
+private:
+  struct Draft {
+    PlanDoubt doubt{};
+    std::string act = "look at";
+    std::vector<std::string> claims{};
+    const Certainty* certainty = nullptr;
+  };
+
+  /** @brief Returns the draft on a subject; unless that has one place, as a wall has,
+   * the one at the same place. */
+  Draft& draftOf(const std::string& subject,
+                 std::uint32_t room,
+                 const Eigen::Vector2d& at,
+                 bool has_one_place)
+  {
+    std::vector<std::size_t>& known = of_subject_[subject];
+    for (const std::size_t k : known) {
+      if (has_one_place || (at - drafts_[k].doubt.at).norm() < same_place)
+        return drafts_[k];
+    }
+    known.push_back(drafts_.size());
+    Draft& draft = drafts_.emplace_back();
+    draft.doubt.subject = subject;
+    draft.doubt.room = room;
+    draft.doubt.at = at;
+    return draft;
+  }
+
+  template <typename Reason>
+  void add(const Certainty& certainty,
+           const std::string& subject,
+           const Eigen::Vector2d& middle,
+           const Reason& reason)
+  {
+    if (of_subject_.count(subject) == 0 && certainty.right() >= sure)
+      return;
+    Draft& draft = draftOf(subject, certainty.room, middle, true);
+    draft.certainty = &certainty;
+    draft.doubt.stake = certainty.area * (1 - certainty.right());
+    if (draft.claims.empty())
+      draft.claims.push_back(reason());
+  }
+
+  /** @brief Returns the place of a warning, the middle of its wall or its room. */
+  Eigen::Vector2d placeOf(const PlanWarning& warning) const
+  {
+    const PlanRoom* const room = findRoom(plan_, warning.room);
+    if (warning.at.allFinite() || !room)
+      return warning.at;
+    const std::vector<PlanElement>& walls = room->boundary.elements;
+    return warning.wall > 0 && warning.wall <= walls.size()
+               ? walls[warning.wall - 1].pointAt(walls[warning.wall - 1].length() / 2)
+               : textSpotIn(room->boundary, room->columns).place;
+  }
+
+  double areaAtStake(Stake stake, const PlanWarning& warning) const
+  {
+    const PlanRoom* const room = findRoom(plan_, warning.room);
+    switch (stake) {
+    case Stake::Value:
+      return warning.values.empty() ? 0 : std::abs(warning.values[0]);
+    case Stake::Room:
+      return room ? room->area() : 0;
+    case Stake::Plan:
+      return areaOf(plan_);
+    case Stake::None:
+      break;
+    }
+    return 0;
+  }
+
+  const PlanOpening* openingAt(const Eigen::Vector2d& at) const
+  {
+    for (const PlanOpening& opening : plan_.openings)
+      if ((opening.start + opening.end) / 2 == at)
+        return &opening;
+    return nullptr;
+  }
+
+  static std::string textOf(const Draft& draft)
+  {
+    const std::string& subject = draft.doubt.subject;
+    std::string text = draft.act;
+    text += (text.empty() || subject.empty() ? "" : " ") + subject;
+    if (draft.certainty)
+      text += ", " + percent(draft.certainty->right()) + " sure";
+    for (std::size_t k = 0; k < draft.claims.size(); ++k)
+      text += (k > 0 ? "; " : text.empty() ? "" : ": ") + draft.claims[k];
+    return text;
+  }
+
+  const Floorplan& plan_;
+  std::vector<Draft> drafts_;
+  std::map<std::string, std::vector<std::size_t>> of_subject_; ///< drafts
+};
+
+/** @brief Sets expected shares, verdict and checks. */
+void
+judge(const Floorplan& plan, PlanReview& review)
+{
+  double area = 0;
+  for (const Certainty& wall : review.walls) {
+    area += wall.area;
+    for (std::size_t k = 0; k < review.within.size(); ++k)
+      review.within[k] += wall.area * wall.within[k];
+  }
+  for (double& share : review.within)
+    share = area > 0 ? share / area : 1;
+  const double all = area + areaOf(plan);
+  double stake = 0;
+  for (const PlanDoubt& doubt : review.doubts)
+    stake += doubt.stake;
+  const double at_stake = stake / all;
+  const std::size_t most = std::min(most_checks, review.doubts.size());
+  for (; review.checks < most && stake > little * all; ++review.checks)
+    stake -= review.doubts[review.checks].stake;
+  const std::string places = review.checks == 1
+                                 ? "this place"
+                                 : "these " + std::to_string(review.checks) + " places";
+  if (at_stake > too_much) {
+    review.verdict = ReviewVerdict::ScanAgain;
+    review.text =
+        "scan again, " + percent(at_stake) + " of walls and floors are at stake";
+  }
+  else if (review.checks > 0) {
+    review.verdict = ReviewVerdict::Check;
+    review.text = "check " + places + " before you hand it over";
+    if (stake > little * all)
+      review.text +=
+          " (" + percent(stake / all) + " of walls and floors remain at stake)";
+  }
+  else
+    review.text = "hand it over";
+  if (area > 0)
+    review.text += ": of its walls " + percent(review.within[0]) +
+                   " are expected within 1 cm, " + percent(review.within[1]) +
+                   " within 3 cm, " + percent(review.within[2]) + " within 5 cm";
+}
+
+} // namespace
+
+PlanReview
+reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
+{
+  PlanReview review;
+  review.walls = certaintyOfWalls(plan, warnings);
+  review.openings = certaintyOfOpenings(plan);
+  Doubts doubts(plan);
+  for (const auto& list : {warnings, unlikelyPlaces(plan)})
+    for (const PlanWarning& warning : list)
+      doubts.add(warning);
+  doubts.add(review);
+  review.doubts = doubts.sorted();
+  judge(plan, review);
+  return review;
+}
+
+std::vector<std::string>
+firstOf(const std::vector<PlanDoubt>& doubts, std::size_t most)
+{
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < std::min(most, doubts.size()); ++k)
+    lines.push_back(doubts[k].text);
+  if (doubts.size() > most)
+    lines.push_back("and " + std::to_string(doubts.size() - most) +
+                    (doubts.size() == most + 1 ? " more place" : " more places") +
+                    " where less is at stake, see the report");
+  return lines;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "measured_room.h"
+
+#include <pcl/sedr_surface/plan_review.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace pcl::sedr;
+using sedr_test::measuredRoom;
+
+namespace {
+
+/** Makes a wall of that room one of which a third was seen. */
+void
+hideWall(Floorplan& plan, std::size_t wall)
+{
+  PlanElement& element = plan.rooms[0].boundary.elements[wall - 1];
+  element.evidence = {0.1, 0.6, 0.3};
+  element.accuracy = {};
+}
+
+TEST(PlanReview, AMeasuredRoomIsHandedOver)
+{
+  const PlanReview review = reviewOf(measuredRoom(), {});
+  EXPECT_TRUE(review.doubts.empty());
+  EXPECT_EQ(review.verdict, ReviewVerdict::HandOver);
+  EXPECT_EQ(review.checks, 0u);
+  EXPECT_EQ(review.text.rfind("hand it over: of its walls 9", 0), 0u) << review.text;
+  EXPECT_TRUE(firstOf(review.doubts).empty());
+}
+
+TEST(PlanReview, WarningsOfOneWallAreOneDoubtWithItsCertainty)
+{
+  Floorplan plan = measuredRoom();
+  hideWall(plan, 3);
+  const PlanReview review =
+      reviewOf(plan, {{WarningKind::WallOff, {2, -7}, 1, 3, "", {1, 3}},
+                      {WarningKind::GuessedWall, {4, 60, 30}, 1, 3}});
+  ASSERT_EQ(review.doubts.size(), 1u);
+  const PlanDoubt& doubt = review.doubts[0];
+  EXPECT_EQ(doubt.subject, "wall 1.3");
+  EXPECT_EQ(doubt.at, Eigen::Vector2d(1, 3));
+  EXPECT_EQ(doubt.kinds,
+            (std::vector<WarningKind>{WarningKind::WallOff, WarningKind::GuessedWall}));
+  const double right = review.walls[2].right();
+  EXPECT_NEAR(doubt.stake, 10 * (1 - right), 1e-9);
+  EXPECT_EQ(doubt.text,
+            "look at wall 1.3, " + std::to_string(std::lround(100 * right)) +
+                " % sure: 2.0 m2 of what was seen there lie 7 cm behind it; "
+                "its place over 4.0 m is a guess: 60 % of it is inferred "
+                "behind what hides it, 30 % nobody saw");
+}
+
+TEST(PlanReview, WhatIsNotSureIsADoubtWithoutAWarning)
+{
+  Floorplan plan = measuredRoom();
+  hideWall(plan, 2);
+  plan.openings.push_back(plan.openings[0]);
+  plan.openings.push_back(plan.openings[0]);
+  PlanOpening& window = plan.openings[2];
+  window.kind = OpeningKind::Passage;
+  window.number = 7;
+  window.residual = 0.05;
+  window.confidence = 0.6;
+  window.depth = unseen_reveal;
+  const PlanReview review = reviewOf(plan, {});
+  ASSERT_EQ(review.doubts.size(), 2u);
+  EXPECT_EQ(review.doubts[0].subject, "wall 1.2");
+  EXPECT_EQ(review.doubts[0].at, Eigen::Vector2d(4, 1.5));
+  EXPECT_TRUE(review.doubts[0].kinds.empty());
+  EXPECT_NE(review.doubts[0].text.find(
+                "it is 3.00 m long, 10 % of it was measured, too little for its place"),
+            std::string::npos)
+      << review.doubts[0].text;
+  EXPECT_EQ(review.doubts[1].subject, "passage P7");
+  EXPECT_NE(review.doubts[1].text.find("its edges are known to 5.0 cm, its jambs were "
+                                       "hidden, no room was seen beyond, its kind is "
+                                       "60 % sure"),
+            std::string::npos)
+      << review.doubts[1].text;
+}
+
+TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
+{
+  const PlanReview review = reviewOf(
+      measuredRoom(), {{WarningKind::Standing, {1}, 1, 0, "", {1, 1}},
+                       {WarningKind::Hidden, {1, 12}, 1},
+                       {WarningKind::HalfWall, {1.5, 1}, 1, 0, "", {1.5, 1.5}},
+                       {WarningKind::FloorOff, {0.5, 0.1, 0.2}, 1, 0, "", {3.5, 2}},
+                       {WarningKind::Open, {2}, 1}});
+  ASSERT_EQ(review.doubts.size(), 3u);
+  // By what they put at stake: 0.3 of 12 m2, half of 1.5 m2, half of 0.5 m2.
+  EXPECT_EQ(review.doubts[0].kinds,
+            (std::vector<WarningKind>{WarningKind::Hidden, WarningKind::Open}));
+  EXPECT_TRUE(review.doubts[0].at.allFinite());
+  EXPECT_NEAR(review.doubts[0].stake, 3.6, 1e-9);
+  EXPECT_EQ(review.doubts[1].kinds,
+            (std::vector<WarningKind>{WarningKind::Standing, WarningKind::HalfWall}));
+  EXPECT_NEAR(review.doubts[1].stake, 0.75, 1e-9);
+  EXPECT_EQ(review.doubts[2].at, Eigen::Vector2d(3.5, 2));
+}
+
+TEST(PlanReview, ANarrowDoorIsADoubtOfTheDoor)
+{
+  Floorplan plan = measuredRoom();
+  plan.openings[0].end = {1.6, 0};
+  const PlanReview review = reviewOf(plan, {});
+  ASSERT_EQ(review.doubts.size(), 1u);
+  EXPECT_EQ(review.doubts[0].subject, "door D1");
+  EXPECT_NE(review.doubts[0].text.find("% sure: a door of 0.60 m"), std::string::npos)
+      << review.doubts[0].text;
+  EXPECT_NEAR(review.doubts[0].stake, 1.2 * (1 - review.openings[0].right()), 1e-9);
+}
+
+TEST(PlanReview, EnoughIsCheckedForLittleToRemainAtStake)
+{
+  // 35 m2 of walls and 12 m2 of floor: 2 % is 0.94 m2, a tenth 4.7 m2.
+  const auto of = [](std::vector<double> areas) {
+    std::vector<PlanWarning> warnings;
+    for (std::size_t k = 0; k < areas.size(); ++k)
+      warnings.push_back(
+          {WarningKind::LeftOut, {areas[k]}, 0, 0, "a bay", {10.0 * k, 10}});
+    return reviewOf(measuredRoom(), warnings);
+  };
+  EXPECT_EQ(of({0.9}).verdict, ReviewVerdict::HandOver);
+  EXPECT_EQ(of({0.9}).doubts.size(), 1u) << "it is told all the same";
+  const PlanReview two = of({0.8, 0.8, 2.5, 2});
+  EXPECT_EQ(two.verdict, ReviewVerdict::Check);
+  EXPECT_EQ(two.checks, 2u);
+  EXPECT_EQ(two.text.rfind("check these 2 places before you hand it over: ", 0), 0u)
+      << two.text;
+  EXPECT_EQ(of({2}).text.rfind("check this place", 0), 0u);
+  const PlanReview small = of(std::vector<double>(30, 0.3));
+  EXPECT_EQ(small.checks, 10u);
+  EXPECT_NE(small.text.find("hand it over (6 % of walls and floors remain at stake): "),
+            std::string::npos)
+      << small.text;
+  const PlanReview many = of({3, 3, 3, 3});
+  EXPECT_EQ(many.verdict, ReviewVerdict::ScanAgain);
+  EXPECT_EQ(many.text.rfind("scan again, 13 % of walls and floors are at stake", 0), 0u)
+      << many.text;
+  const std::vector<std::string> lines = firstOf(many.doubts);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[3], "and 1 more place where less is at stake, see the report");
+}
+
+TEST(PlanReview, SharesOfWallsAreThoseOfTheirArea)
+{
+  Floorplan plan = measuredRoom();
+  hideWall(plan, 2);
+  const PlanReview review = reviewOf(plan, {});
+  double expected = 0;
+  for (const Certainty& wall : review.walls)
+    expected += wall.area * wall.within[1] / 35;
+  EXPECT_NEAR(review.within[1], expected, 1e-9);
+  plan.rooms[0].boundary = sedr_test::rectangle(0, 0, 4, 3); // nothing is known
+  EXPECT_EQ(reviewOf(plan, {}).within[0], 1);
+}
+
+} // namespace
