@@ -142,8 +142,8 @@ void
 OutputFolder::removeHidden() const
 {
   std::error_code error;
-  if (!isExchangeBegun(path_))
-    fs::remove_all(part_, error);
+  if (!isExchangeBegun(path_) && fs::remove_all(part_, error) != 0 && error)
+    fs::remove(part_, error); // an empty one, which needs no memory
 }
 
 /** @brief Removes the hidden folder at an interrupt, while other threads may still
