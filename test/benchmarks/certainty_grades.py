@@ -57,7 +57,7 @@ def ifc_openings(folder):
     """Openings of truth_openings.json, as opening_grades.true_openings() has them."""
     found = []
     for o in json.loads((folder / "truth_openings.json").read_text(encoding="utf-8"))["openings"]:
-        middle, way = np.array(o["centre"][:2]), np.array([-o["direction"][1], o["direction"][0]]) * o["width"] / 2
+        middle, way = np.array(o["centre"][:2]), np.array(o["direction"]) * o["width"] / 2
         found.append(dict(o, a=middle - way, b=middle + way, top=o["bottom"] + o["height"]))
     return found
 

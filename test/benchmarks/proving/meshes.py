@@ -29,7 +29,7 @@ class Mesh:
 
 
 def read_mesh(path):
-    """A binary PLY of triangles with labels and rooms."""
+    """A binary PLY of triangles with labels and rooms, 0 if it has none."""
     data = path.read_bytes()
     start = data.index(b"end_header\n") + len(b"end_header\n")
     forms, counts = {}, {}
@@ -45,7 +45,8 @@ def read_mesh(path):
     vertices = np.frombuffer(data, forms["vertex"], counts["vertex"], start)
     faces = np.frombuffer(data, forms["face"], counts["face"], start + vertices.nbytes)
     points = np.stack([vertices[axis].astype(float) for axis in "xyz"], axis=1)
-    return Mesh(points[faces["corners"]], faces["label"], faces["room"])
+    labels, rooms = (faces[k] if k in faces.dtype.names else np.zeros(len(faces), int) for k in ("label", "room"))
+    return Mesh(points[faces["corners"]], labels, rooms)
 
 
 def write_mesh(path, mesh):
