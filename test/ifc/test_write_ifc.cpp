@@ -158,6 +158,21 @@ TEST(WriteIfc, WallsOfOneThicknessAreOfOneType)
   EXPECT_EQ(count(relations[0], "#"), 6u + 1u) << "walls and type";
 }
 
+TEST(WriteIfc, ANetVolumeIsWithoutNichesAndOverlapsCountOnce)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  plan.rooms[0].niches = {{rectangle(0.2, -0.1, 0.7, 0), slabAt(1), slabAt(2)}};
+  for (const double at : {0.0, 0.5})
+    plan.openings.push_back(
+        {OpeningKind::Window, {1, 0}, {}, {1 + at, 0}, {2 + at, 0}, 1 + at, 2 + at});
+  const WallRow wall = writeIfc(plan).schedules.walls.at(0);
+  const double open = 2 - 0.5 * 0.5;
+  const double gross = (4 + 0.2) * 0.2 * 2.5; // with two halves of mitres
+  EXPECT_NEAR(wall.net_area, 4 * 2.5 - open, 1e-6);
+  EXPECT_NEAR(wall.gross_volume, gross, 1e-6);
+  EXPECT_NEAR(wall.net_volume, gross - open * 0.2 - 0.5 * 1 * 0.1, 1e-6);
+}
+
 TEST(WriteIfc, AStairHasItsFlights)
 {
   Floorplan plan = twoRooms();

@@ -26,14 +26,15 @@ def opened(path, with_triangles=False):
 
 
 def net_volumes(instances):
-    """NetVolume of every space by its name, from the file's quantities."""
+    """NetVolume of every space and wall by its kind and name, from the file's quantities."""
     volumes = {}
     for name, v in instances.values():
         if name == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCELEMENTQUANTITY":
             for quantity in instances[v[5]][1][5]:
                 kind, q = instances[quantity]
-                if q[0] == "NetVolume" and instances[v[4][0]][0] == "IFCSPACE":
-                    volumes["IFCSPACE " + instances[v[4][0]][1][2]] = q[3]
+                if q[0] == "NetVolume":
+                    kind, of = instances[v[4][0]]
+                    volumes["%s %s" % (kind, of[2])] = q[3]
     return volumes
 
 

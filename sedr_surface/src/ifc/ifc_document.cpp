@@ -265,8 +265,9 @@ pcl::sedr::writeIfc(const Floorplan& plan,
   numberOpenings(numbered);
   ifc::IfcDocument document(numbered, settings, origin);
   ifc::writeSpaces(document);
-  const std::vector<ifc::WrittenWall> walls = ifc::writeWalls(document);
-  ifc::describeWalls(document, walls, ifc::writeOpenings(document, walls));
+  std::vector<ifc::WrittenWall> walls = ifc::writeWalls(document);
+  ifc::writeOpenings(document, walls);
+  ifc::describeWalls(document, walls);
   ifc::writeSlabs(document);
   ifc::writeDetails(document);
   ifc::writeStairs(document);

@@ -40,7 +40,7 @@ isInGap(const WrittenGap& gap, const PlanLoop& niche, double bottom, double top)
 
 void
 writeNiches(IfcDocument& document,
-            const std::vector<WrittenWall>& walls,
+            std::vector<WrittenWall>& walls,
             const std::vector<WrittenGap>& gaps)
 {
   for (std::size_t r = 0; r < document.plan.rooms.size(); ++r) {
@@ -59,7 +59,7 @@ writeNiches(IfcDocument& document,
           written.solid.empty() ||
           !trianglesOn(written, {name + "_bottom", name + "_top"}).empty();
       std::size_t count = 0;
-      for (const WrittenWall& wall : walls) {
+      for (WrittenWall& wall : walls) {
         const PlanLoop loop = inFrame(niche.boundary, wall.frame);
         if (!is_built || height <= 0 || bottom >= wall.top ||
             bottom + height <= wall.bottom ||
@@ -77,7 +77,7 @@ writeNiches(IfcDocument& document,
                      is_level ? document.shapes.extrusion(loop, {}, low, height)
                               : document.shapes.faceSet(
                                     meshOf(niche, loop, wall.frame, wall.bottom)),
-                     "RECESS");
+                     {loop, niche.bottom, niche.top, true});
         ++count;
       }
       if (count == 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,14 +84,14 @@ isBetween(const Floorplan& plan, const PlanWall& wall, const PlanOpening& openin
  * @return the gap in each */
 std::vector<WrittenGap>
 writeGaps(IfcDocument& document,
-          const std::vector<WrittenWall>& walls,
+          std::vector<WrittenWall>& walls,
           const PlanOpening& opening,
           const std::string& name)
 {
   constexpr double far = 0.5; // half of a wall thicker than those of two faces
   std::vector<WrittenGap> gaps;
   for (const double reach : {beside, far}) {
-    for (const WrittenWall& wall : walls) {
+    for (WrittenWall& wall : walls) {
       OpeningBox box;
       if (!isBetween(document.plan, wall.wall, opening) ||
           !boxIn(document.plan, wall, opening, reach, box) ||
@@ -102,7 +103,8 @@ writeGaps(IfcDocument& document,
           writeOpening(document, wall, name + part,
                        document.shapes.extrusion(loopAround(box.plan), {}, box.bottom,
                                                  box.top - box.bottom, wall.runs.near),
-                       "OPENING");
+                       {loopAround(box.plan), horizontalSlab(wall.bottom + box.bottom),
+                        horizontalSlab(wall.bottom + box.top)});
       document.addQuantities(cut, name + part, "Qto_OpeningElementBaseQuantities",
                              {{"LENGTH", "Width", opening.width()},
                               {"LENGTH", "Height", opening.height()},
@@ -255,17 +257,18 @@ writePassage(IfcDocument& document, const PlanOpening& opening, const std::strin
 
 StepRef
 writeOpening(IfcDocument& document,
-             const WrittenWall& wall,
+             WrittenWall& wall,
              const std::string& name,
              const IfcBody& body,
-             const char* kind)
+             const WallCut& cut)
 {
   const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
   const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
   const StepRef shape = document.shapeOf(body, "opening");
-  const StepRef opening =
-      document.step.add("IFCOPENINGELEMENT", {document.guid(name), none, name, none,
-                                              none, place, shape, none, symbol(kind)});
+  const StepRef opening = document.step.add(
+      "IFCOPENINGELEMENT", {document.guid(name), none, name, none, none, place, shape,
+                            none, symbol(cut.is_recess ? "RECESS" : "OPENING")});
+  wall.cuts.push_back(cut);
   document.relate("IFCRELVOIDSELEMENT", name + " in " + wall.name, wall.ref, opening);
   ++document.model.openings;
   return opening;
@@ -287,8 +290,8 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
       });
 }
 
-std::vector<WrittenGap>
-writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
+void
+writeOpenings(IfcDocument& document, std::vector<WrittenWall>& walls)
 {
   const Floorplan& plan = document.plan;
   std::vector<WrittenGap> all;
@@ -312,7 +315,6 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
         warningOf(WarningKind::NotInIfc, outside,
                   {count, static_cast<double>(plan.openings.size())}));
   writeNiches(document, walls, all);
-  return all;
 }
 
 } // namespace pcl::sedr::ifc

@@ -48,7 +48,8 @@ struct WrittenWall {
   StepRef placement{}; ///< of the frame, z from the wall's bottom
   double bottom = 0;   ///< metres
   double top = 0;
-  double mean_height = 0; ///< along its length
+  WallHeights heights{};
+  std::vector<WallCut> cuts{}; ///< openings and niches in it
   bool is_external = false;
   std::string number{};      ///< on the sheet
   WallRuns runs{};           ///< of a tilted wall
@@ -82,24 +83,20 @@ struct WrittenGap {
 
 /** @brief Adds an opening of a body to a wall. */
 StepRef writeOpening(IfcDocument& document,
-                     const WrittenWall& wall,
+                     WrittenWall& wall,
                      const std::string& name,
                      const IfcBody& body,
-                     const char* kind);
+                     const WallCut& cut);
 
-/** @brief Adds openings, what fills them, and recesses for niches.
- * @return the gaps of openings */
-std::vector<WrittenGap> writeOpenings(IfcDocument& document,
-                                      const std::vector<WrittenWall>& walls);
+/** @brief Adds openings, what fills them, and recesses for niches. */
+void writeOpenings(IfcDocument& document, std::vector<WrittenWall>& walls);
 
 /** @brief Adds quantities and properties of walls, and their schedule. */
-void describeWalls(IfcDocument& document,
-                   const std::vector<WrittenWall>& walls,
-                   const std::vector<WrittenGap>& gaps);
+void describeWalls(IfcDocument& document, const std::vector<WrittenWall>& walls);
 
 /** @brief Adds recesses for niches, but for those within gaps of openings. */
 void writeNiches(IfcDocument& document,
-                 const std::vector<WrittenWall>& walls,
+                 std::vector<WrittenWall>& walls,
                  const std::vector<WrittenGap>& gaps);
 
 /** @brief Adds slabs for floors, and for ceilings without a room above. */

@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -40,17 +41,6 @@ numberOf(const Floorplan& plan, const WallFace& face)
          std::to_string(face.element + 1);
 }
 
-/** @brief Returns the area of a gap on its wall, square metres. */
-double
-areaOf(const WrittenGap& gap)
-{
-  const WrittenWall& wall = *gap.wall;
-  const double across = std::min(gap.box.plan.max().x(), wall.box.max().x()) -
-                        std::max(gap.box.plan.min().x(), wall.box.min().x());
-  const double up = std::min(gap.box.top, wall.top - wall.bottom) - gap.box.bottom;
-  return std::max(across, 0.0) * std::max(up, 0.0);
-}
-
 /** @brief Returns the share of both faces of a wall that was measured; -1 if that is
  * not known. */
 double
@@ -74,9 +64,7 @@ accuracyOf(const Floorplan& plan, const PlanWall& wall)
 }
 
 WallRow
-rowOf(const IfcDocument& document,
-      const WrittenWall& written,
-      const std::vector<WrittenGap>& gaps)
+rowOf(const IfcDocument& document, const WrittenWall& written)
 {
   constexpr const char* sources[] = {"faces", "reveals", "storey", "assumed"};
   const PlanWall& wall = written.wall;
@@ -88,16 +76,17 @@ rowOf(const IfcDocument& document,
               sources[static_cast<std::size_t>(wall.source)],
               wall.stretch.length(),
               written.top - written.bottom};
-  row.gross_area = row.length * written.mean_height;
-  double open = 0;
-  for (const WrittenGap& gap : gaps)
-    open += gap.wall == &written ? areaOf(gap) : 0;
+  const auto volume = [&](const WallRuns& runs, const std::vector<WallCut>& cuts) {
+    return volumeOf(document.plan, wall, written.heights, runs, written.profile, cuts);
+  };
+  std::vector<WallCut> through;
+  std::copy_if(written.cuts.begin(), written.cuts.end(), std::back_inserter(through),
+               [](const WallCut& cut) { return !cut.is_recess; });
+  row.gross_area = row.length * (written.heights.mean() - written.bottom);
+  const double open = (volume({}, {}) - volume({}, through)) / wall.thickness;
   row.net_area = std::max(row.gross_area - open, 0.0);
-  double plan_area = written.profile.boundary.area();
-  for (const PlanLoop& hole : written.profile.holes)
-    plan_area -= std::abs(hole.area());
-  row.gross_volume = plan_area * written.mean_height;
-  row.net_volume = std::max(row.gross_volume - open * wall.thickness, 0.0);
+  row.gross_volume = volume(written.runs, {});
+  row.net_volume = volume(written.runs, written.cuts);
   row.measured = measuredShare(document.plan, wall);
   row.accuracy = accuracyOf(document.plan, wall);
   return row;
@@ -155,9 +144,10 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
 /** @brief Returns the body of a wall in its placement: swept if it is level, else
  * triangles. */
 StepRef
-bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& heights)
+bodyOf(IfcDocument& document, const WrittenWall& written)
 {
   const PlanWall& wall = written.wall;
+  const WallHeights& heights = written.heights;
   const PlanArea& profile = written.profile;
   TriangleMesh mesh;
   if (!heights.isLevel() || !written.runs.areAlike())
@@ -261,7 +251,7 @@ writeWalls(IfcDocument& document)
     }
     added.bottom = heights.bottom;
     added.top = heights.highest();
-    added.mean_height = heights.mean() - heights.bottom;
+    added.heights = heights;
     added.is_external = isExternal(plan, wall);
     added.runs = runsOf(plan, wall);
     added.profile = profileOf(site);
@@ -274,7 +264,7 @@ writeWalls(IfcDocument& document)
         document.storeys[added.storey].placement,
         {origin.x(), origin.y(), heights.bottom - document.groundOf(added.storey)},
         added.frame.way);
-    std::vector<StepRef> shapes{bodyOf(document, added, heights)};
+    std::vector<StepRef> shapes{bodyOf(document, added)};
     if (!elementOf(plan, wall.face).isArc())
       shapes.push_back(
           document.shapes.line(document.axis_context, {0, -wall.thickness / 2},
@@ -295,12 +285,10 @@ writeWalls(IfcDocument& document)
 }
 
 void
-describeWalls(IfcDocument& document,
-              const std::vector<WrittenWall>& walls,
-              const std::vector<WrittenGap>& gaps)
+describeWalls(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
   for (const WrittenWall& wall : walls) {
-    document.model.schedules.walls.push_back(rowOf(document, wall, gaps));
+    document.model.schedules.walls.push_back(rowOf(document, wall));
     describe(document, wall, document.model.schedules.walls.back());
   }
 }

@@ -116,6 +116,68 @@ ceilingInside(const Floorplan& plan, const PlanWall& wall, const PlanRoom& room)
   return middleValue(std::move(heights));
 }
 
+using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+
+/** @brief Appends a line across a wall, in its frame.
+ * @param along share of its length */
+void
+appendAcross(const Floorplan& plan, const PlanWall& wall, double along, Lines& lines)
+{
+  constexpr double beyond = 0.01;
+  const WallFrame frame = frameOf(plan, wall);
+  const auto [place, inward] = faceAt(
+      elementOf(plan, wall.face), wall.stretch.from + along * wall.stretch.length());
+  lines.emplace_back(frame.toLocal(place + beyond * inward),
+                     frame.toLocal(place - (2 * wall.thickness + beyond) * inward));
+}
+
+/** @brief Returns the height of a wall above its bottom at a place in its frame. */
+double
+heightAt(const Floorplan& plan,
+         const PlanWall& wall,
+         const WallHeights& heights,
+         const Eigen::Vector2d& p)
+{
+  constexpr double min_height = 0.001;
+  const PlanElement& element = elementOf(plan, wall.face);
+  const double s = element.isArc() ? element.project(frameOf(plan, wall).toPlan(p)) -
+                                         wall.stretch.from
+                                   : p.x(); // stretches may go on beyond their element
+  return std::max(heights.topAt(s / wall.stretch.length()) - heights.bottom,
+                  min_height);
+}
+
+/** @brief Returns the lines in plan between which the heights of a wall and its cuts
+ * are linear: where its top bends or meets those of cuts, and the outlines of cuts. */
+Lines
+linesOf(const Floorplan& plan,
+        const PlanWall& wall,
+        const WallHeights& heights,
+        const std::vector<WallCut>& cuts)
+{
+  constexpr double chord = 0.0005; // metres
+  Lines lines;
+  for (const WallHeights::Top& top : heights.tops) // level beyond the first and last
+    appendAcross(plan, wall, top.along, lines);
+  for (const WallCut& cut : cuts) {
+    const std::vector<Eigen::Vector2d> corners = cut.plan.polygon(chord);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      lines.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
+    const Eigen::Vector2d middle =
+        frameOf(plan, wall).toPlan(boundsOf(cut.plan).center());
+    for (const PlanSlab* slab : {&cut.bottom, &cut.top})
+      for (std::size_t k = 1; k < heights.tops.size(); ++k) {
+        const auto& [from, low] = heights.tops[k - 1];
+        const auto& [to, high] = heights.tops[k];
+        const double z = slab->heightAt(middle);
+        if ((z - low) * (z - high) < 0)
+          appendAcross(plan, wall, from + (z - low) / (high - low) * (to - from),
+                       lines);
+      }
+  }
+  return lines;
+}
+
 } // namespace
 
 double
@@ -274,31 +336,61 @@ meshOf(const Floorplan& plan,
        const WallRuns& runs,
        const PlanArea& profile)
 {
-  const PlanElement& element = elementOf(plan, wall.face);
-  const WallFrame frame = frameOf(plan, wall);
-  const double length = wall.stretch.length();
-  // The top bends across the wall where it bends along it.
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> bends;
-  for (std::size_t k = 1; k + 1 < heights.tops.size(); ++k) {
-    constexpr double beyond = 0.01;
-    const auto [place, inward] =
-        faceAt(element, wall.stretch.from + heights.tops[k].along * length);
-    bends.emplace_back(frame.toLocal(place + beyond * inward),
-                       frame.toLocal(place - (2 * wall.thickness + beyond) * inward));
-  }
-  const TriangleMesh foot = triangulated(profile, bends);
-  constexpr double min_height = 0.001;
+  const TriangleMesh foot = triangulated(profile, linesOf(plan, wall, heights, {}));
   TriangleMesh mesh = prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
-    const double s =
-        element.isArc() ? element.project(frame.toPlan(p.head<2>())) - wall.stretch.from
-                        : p.x(); // stretches may go on beyond their element
-    return std::max(heights.topAt(s / length) - heights.bottom, min_height);
+    return heightAt(plan, wall, heights, p.head<2>());
   });
   for (Eigen::Vector3d& p : mesh.vertices) {
     const double across = std::clamp(-p.y() / wall.thickness, 0.0, 1.0);
     p.y() += ((1 - across) * runs.near + across * runs.far) * p.z();
   }
   return mesh;
+}
+
+double
+volumeOf(const Floorplan& plan,
+         const PlanWall& wall,
+         const WallHeights& heights,
+         const WallRuns& runs,
+         const PlanArea& profile,
+         const std::vector<WallCut>& cuts)
+{
+  const WallFrame frame = frameOf(plan, wall);
+  const double taper = (runs.far - runs.near) / wall.thickness;
+  const auto solidBetween = [&](double low, double high) {
+    return std::max(high - low, 0.0) * (1 - taper * (low + high) / 2);
+  };
+  // Metres of wall above a place; a taper makes it count less further up.
+  const auto solidAt = [&](const Eigen::Vector2d& p,
+                           const std::vector<const WallCut*>& open) {
+    std::vector<std::pair<double, double>> spans;
+    for (const WallCut* cut : open)
+      spans.emplace_back(cut->bottom.heightAt(frame.toPlan(p)) - heights.bottom,
+                         cut->top.heightAt(frame.toPlan(p)) - heights.bottom);
+    std::sort(spans.begin(), spans.end());
+    const double top = heightAt(plan, wall, heights, p);
+    double end = 0;
+    double solid = 0;
+    for (const auto& [low, high] : spans) {
+      solid += solidBetween(end, std::min(low, top));
+      end = std::max(end, high);
+    }
+    return solid + solidBetween(end, top);
+  };
+  const TriangleMesh foot = triangulated(profile, linesOf(plan, wall, heights, cuts));
+  double volume = 0;
+  for (std::size_t t = 0; t < foot.triangles.size(); ++t) {
+    const Eigen::Vector3d middle =
+        (foot.corner(t, 0) + foot.corner(t, 1) + foot.corner(t, 2)) / 3;
+    std::vector<const WallCut*> open;
+    for (const WallCut& cut : cuts)
+      if (cut.plan.contains(middle.head<2>()))
+        open.push_back(&cut);
+    for (const int k : {0, 1, 2})
+      volume += foot.scaledNormal(t).norm() / 2 *
+                solidAt(foot.corner(t, k).head<2>(), open) / 3;
+  }
+  return volume;
 }
 
 } // namespace pcl::sedr::ifc

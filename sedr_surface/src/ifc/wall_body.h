@@ -89,4 +89,22 @@ TriangleMesh meshOf(const Floorplan& plan,
                     const WallRuns& runs,
                     const PlanArea& profile);
 
+/** @brief What is cut out of a wall between two heights. */
+struct WallCut {
+  PlanLoop plan; ///< in the frame of the wall, at its bottom if it is tilted
+  PlanSlab bottom;
+  PlanSlab top;
+  bool is_recess = false; ///< not all through the wall
+};
+
+/** @brief Returns the volume of a wall without its cuts, which may overlap and reach
+ * beyond it, cubic metres.
+ * @param profile its plan, from profileOf() */
+double volumeOf(const Floorplan& plan,
+                const PlanWall& wall,
+                const WallHeights& heights,
+                const WallRuns& runs,
+                const PlanArea& profile,
+                const std::vector<WallCut>& cuts);
+
 } // namespace pcl::sedr::ifc

@@ -58,7 +58,7 @@ struct WallRow {
   double gross_area = 0; ///< of one side
   double net_area = 0;   ///< without openings
   double gross_volume = 0;
-  double net_volume = 0;
+  double net_volume = 0;      ///< without openings and niches
   double measured = -1;       ///< share of its faces; -1: not known
   SurfaceAccuracy accuracy{}; ///< of the worse face; none if one is a guess
 };
