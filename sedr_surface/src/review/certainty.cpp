@@ -74,13 +74,12 @@ usualError(std::vector<double> errors)
   return errors.empty() ? 0 : middleValue(errors);
 }
 
-/** @brief Returns the logarithm of an error as a multiple of the usual one, so that
- * the noise of a scan cancels out. */
+/** @brief Returns the logarithm of an error that is known as a multiple of the usual
+ * one, so that the noise of a scan cancels out. */
 double
 logError(double error, double usual)
 {
-  constexpr double least = 1e-5; // metres
-  return std::log(std::max(error, least) / std::max(usual, least));
+  return std::log(error / usual);
 }
 
 } // namespace
@@ -103,7 +102,8 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
   std::map<std::pair<std::uint32_t, std::size_t>, double> off; // square metres
   for (const PlanWarning& warning : warnings)
     if (warning.kind == WarningKind::WallOff)
-      off[{warning.room, warning.wall}] += warning.values.at(0);
+      off[{warning.room, warning.wall}] +=
+          warning.values.empty() ? 0 : warning.values[0];
   std::vector<double> errors;
   for (const PlanRoom& room : plan.rooms)
     for (const PlanElement& wall : room.boundary.elements)
@@ -143,7 +143,7 @@ certaintyOfOpenings(const Floorplan& plan)
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
     const double sure = std::clamp(opening.confidence, 0.01, 0.999);
-    if (opening.confidence > 0)
+    if (opening.residual > 0 && opening.confidence > 0)
       openings.push_back(
           certaintyBy(openingWeights(),
                       {markOf(opening),

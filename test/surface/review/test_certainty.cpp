@@ -106,9 +106,14 @@ TEST(Certainty, NothingIsSaidOfWhatIsNotKnown)
 {
   Floorplan plan = measuredRoom();
   plan.rooms[0].boundary.elements[0].evidence = {};
-  plan.openings[0].confidence = 0; // set by hand
-  EXPECT_EQ(certaintyOfWalls(plan, {}).size(), 3u);
-  EXPECT_TRUE(certaintyOfOpenings(plan).empty());
+  plan.openings.resize(3, plan.openings[0]);
+  plan.openings[0].confidence = 0;
+  plan.openings[1].confidence = 1; // as PlanEditor sets openings by hand
+  plan.openings[1].residual = 0;
+  EXPECT_EQ(certaintyOfWalls(plan, {{WarningKind::WallOff, {}, 1, 2}}).size(), 3u);
+  const auto openings = certaintyOfOpenings(plan);
+  ASSERT_EQ(openings.size(), 1u);
+  EXPECT_EQ(openings[0].index, 2u);
 }
 
 } // namespace

@@ -39,7 +39,8 @@ std::vector<std::string> openingSigns();
 std::vector<Certainty> certaintyOfWalls(const Floorplan& plan,
                                         const std::vector<PlanWarning>& warnings);
 
-/** @brief Likewise of openings; of those that were set by hand nothing is known. */
+/** @brief Likewise of openings; nothing is known of those whose edges were not measured
+ * or were set by hand. */
 std::vector<Certainty> certaintyOfOpenings(const Floorplan& plan);
 
 } // namespace pcl::sedr
