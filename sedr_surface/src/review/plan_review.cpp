@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr double sure = 0.9;     // probability of what is not doubted
 constexpr double same_place = 1; // metres
 constexpr double little = 0.02;  // share of walls and floors, after the checks
-constexpr double too_much = 0.1; // share of walls and floors, of all doubts
+constexpr double too_much = 0.1; // likewise, of all that a new scan settles
 constexpr std::size_t most_checks = 10;
 
 std::string
@@ -84,15 +85,17 @@ public:
   void add(const PlanWarning& warning)
   {
     const PlanOpening* const opening =
-        warning.kind == WarningKind::NarrowDoor ? openingAt(warning.at) : nullptr;
+        warning.kind == WarningKind::NarrowDoor ? doorAt(warning.at) : nullptr;
     Draft& draft = opening
                        ? draftOf(subjectOf(*opening), warning.room, warning.at, true)
                        : draftOf(sedr::subjectOf(warning), warning.room,
                                  placeOf(warning), warning.wall > 0);
     const WarningAdvice advice = adviceOn(warning.kind);
     const double stake = advice.odds * areaAtStake(advice.stake, warning);
-    if (draft.claims.empty() || stake > draft.doubt.stake)
+    if (draft.claims.empty() || stake > draft.doubt.stake) {
       draft.act = advice.act;
+      draft.doubt.extent = advice.stake;
+    }
     draft.doubt.stake = std::max(draft.doubt.stake, stake);
     draft.doubt.kinds.push_back(warning.kind);
     draft.claims.push_back(claimOf(warning));
@@ -103,9 +106,10 @@ public:
   void add(const PlanReview& review)
   {
     for (const Certainty& of : review.walls) {
-      const PlanElement& wall = findRoom(plan_, of.room)->boundary.elements[of.index];
+      const PlanRoom* const room = findRoom(plan_, of.room);
+      const PlanElement& wall = room->boundary.elements[of.index];
       add(of, "wall " + of.element, wall.pointAt(wall.length() / 2),
-          [&] { return reasonOf(wall, of.signs[1]); });
+          [&] { return reasonOf(wall, wallShares(plan_, *room, of.index).measured); });
     }
     for (const Certainty& of : review.openings) {
       const PlanOpening& opening = plan_.openings[of.index];
@@ -165,6 +169,7 @@ private:
     Draft& draft = draftOf(subject, certainty.room, middle, true);
     draft.certainty = &certainty;
     draft.doubt.stake = certainty.area * (1 - certainty.right());
+    draft.doubt.extent = Stake::Value;
     if (draft.claims.empty())
       draft.claims.push_back(reason());
   }
@@ -197,10 +202,10 @@ private:
     return 0;
   }
 
-  const PlanOpening* openingAt(const Eigen::Vector2d& at) const
+  const PlanOpening* doorAt(const Eigen::Vector2d& at) const
   {
     for (const PlanOpening& opening : plan_.openings)
-      if ((opening.start + opening.end) / 2 == at)
+      if (opening.kind == OpeningKind::Door && (opening.start + opening.end) / 2 == at)
         return &opening;
     return nullptr;
   }
@@ -222,6 +227,40 @@ private:
   std::map<std::string, std::vector<std::size_t>> of_subject_; ///< drafts
 };
 
+using DoubtIterator = std::vector<PlanDoubt>::const_iterator;
+
+/** @brief Returns the square metres that doubts put at stake, each counted once: a room
+ * for what exceeds its walls, openings and parts, the plan for what exceeds its rooms.
+ */
+double
+stakeOf(DoubtIterator doubt, DoubtIterator end)
+{
+  std::map<std::uint32_t, double> wholes, parts; // by room
+  double plan = 0;
+  double rooms = 0;
+  for (; doubt != end; ++doubt)
+    if (doubt->extent == Stake::Plan)
+      plan = std::max(plan, doubt->stake);
+    else if (doubt->extent == Stake::Room)
+      wholes[doubt->room] = std::max(wholes[doubt->room], doubt->stake);
+    else
+      parts[doubt->room] += doubt->stake;
+  for (const auto& [room, stake] : parts)
+    wholes[room] = std::max(wholes[room], stake);
+  for (const auto& whole : wholes)
+    rooms += whole.second;
+  return std::max(plan, rooms);
+}
+
+/** @brief Checks whether a doubt is settled by an option of the run: --unit, --up. */
+bool
+isOfFrame(const PlanDoubt& doubt)
+{
+  return std::any_of(doubt.kinds.begin(), doubt.kinds.end(), [](WarningKind kind) {
+    return kind == WarningKind::Unit || kind == WarningKind::Up;
+  });
+}
+
 /** @brief Sets expected shares, verdict and checks. */
 void
 judge(const Floorplan& plan, PlanReview& review)
@@ -235,16 +274,12 @@ judge(const Floorplan& plan, PlanReview& review)
   for (double& share : review.within)
     share = area > 0 ? share / area : 1;
   const double all = area + areaOf(plan);
-  double stake = 0;
-  for (const PlanDoubt& doubt : review.doubts)
-    stake += doubt.stake;
-  const double at_stake = stake / all;
+  const auto first = review.doubts.cbegin(), end = review.doubts.cend();
+  const double at_stake = stakeOf(std::find_if_not(first, end, isOfFrame), end) / all;
   const std::size_t most = std::min(most_checks, review.doubts.size());
-  for (; review.checks < most && stake > little * all; ++review.checks)
-    stake -= review.doubts[review.checks].stake;
-  const std::string places = review.checks == 1
-                                 ? "this place"
-                                 : "these " + std::to_string(review.checks) + " places";
+  double left = stakeOf(first, end) / all;
+  while (review.checks < most && left > little)
+    left = stakeOf(first + static_cast<std::ptrdiff_t>(++review.checks), end) / all;
   if (at_stake > too_much) {
     review.verdict = ReviewVerdict::ScanAgain;
     review.text =
@@ -252,10 +287,13 @@ judge(const Floorplan& plan, PlanReview& review)
   }
   else if (review.checks > 0) {
     review.verdict = ReviewVerdict::Check;
-    review.text = "check " + places + " before you hand it over";
-    if (stake > little * all)
-      review.text +=
-          " (" + percent(stake / all) + " of walls and floors remain at stake)";
+    review.text = "check " +
+                  (review.checks == 1
+                       ? "this place"
+                       : "the first " + std::to_string(review.checks) + " places") +
+                  " before you hand it over";
+    if (left > little)
+      review.text += " (" + percent(left) + " of walls and floors remain at stake)";
   }
   else
     review.text = "hand it over";

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <string>
 
 using namespace pcl::sedr;
 using sedr_test::measuredRoom;
@@ -112,6 +113,9 @@ TEST(PlanReview, ANarrowDoorIsADoubtOfTheDoor)
   EXPECT_NE(review.doubts[0].text.find("% sure: a door of 0.60 m"), std::string::npos)
       << review.doubts[0].text;
   EXPECT_NEAR(review.doubts[0].stake, 1.2 * (1 - review.openings[0].right()), 1e-9);
+  plan.openings.insert(plan.openings.begin(), plan.openings[0]);
+  plan.openings[0].kind = OpeningKind::Window; // above it
+  EXPECT_EQ(reviewOf(plan, {}).doubts[0].subject, "door D1");
 }
 
 TEST(PlanReview, EnoughIsCheckedForLittleToRemainAtStake)
@@ -129,7 +133,7 @@ TEST(PlanReview, EnoughIsCheckedForLittleToRemainAtStake)
   const PlanReview two = of({0.8, 0.8, 2.5, 2});
   EXPECT_EQ(two.verdict, ReviewVerdict::Check);
   EXPECT_EQ(two.checks, 2u);
-  EXPECT_EQ(two.text.rfind("check these 2 places before you hand it over: ", 0), 0u)
+  EXPECT_EQ(two.text.rfind("check the first 2 places before you hand it over: ", 0), 0u)
       << two.text;
   EXPECT_EQ(of({2}).text.rfind("check this place", 0), 0u);
   const PlanReview small = of(std::vector<double>(30, 0.3));
@@ -144,6 +148,43 @@ TEST(PlanReview, EnoughIsCheckedForLittleToRemainAtStake)
   const std::vector<std::string> lines = firstOf(many.doubts);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[3], "and 1 more place where less is at stake, see the report");
+}
+
+TEST(PlanReview, WhatIsAtStakeCountsOnce)
+{
+  // Half of 12 m2 are at stake as the room, about as much as all four walls: 13 %.
+  Floorplan plan = measuredRoom();
+  const std::vector<PlanWarning> room{{WarningKind::FilledIn, {80, 60, 20}, 1}};
+  const PlanReview alone = reviewOf(plan, room);
+  EXPECT_NE(alone.text.find("again, 13 %"), std::string::npos) << alone.text;
+  hideWall(plan, 2);
+  EXPECT_EQ(reviewOf(plan, room).doubts.size(), 2u);
+  EXPECT_EQ(reviewOf(plan, room).text.substr(0, 16), alone.text.substr(0, 16));
+  for (const std::size_t wall : {1, 3, 4})
+    hideWall(plan, wall);
+  const PlanReview hidden = reviewOf(plan, room);
+  double walls = 0;
+  for (const Certainty& wall : hidden.walls)
+    walls += wall.area * (1 - wall.right());
+  ASSERT_GT(walls, 6) << "more than the room";
+  EXPECT_EQ(hidden.text.rfind("scan again, " +
+                                  std::to_string(std::lround(100 * walls / 47)) + " %",
+                              0),
+            0u)
+      << hidden.text;
+}
+
+TEST(PlanReview, AWrongUnitOrAxisIsNotScannedAgain)
+{
+  for (const WarningKind kind : {WarningKind::Unit, WarningKind::Up}) {
+    const PlanReview review = reviewOf(measuredRoom(), {warningOf(kind, "odd")});
+    EXPECT_EQ(review.verdict, ReviewVerdict::Check);
+    EXPECT_EQ(review.checks, 1u);
+    const PlanReview more =
+        reviewOf(measuredRoom(),
+                 {warningOf(kind, "odd"), {WarningKind::FilledIn, {80, 60, 20}, 1}});
+    EXPECT_EQ(more.verdict, ReviewVerdict::ScanAgain);
+  }
 }
 
 TEST(PlanReview, SharesOfWallsAreThoseOfTheirArea)

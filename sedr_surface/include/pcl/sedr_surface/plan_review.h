@@ -21,6 +21,7 @@ struct PlanDoubt {
   Eigen::Vector2d at =    ///< in plan; NaN if it has no place
       Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   double stake = 0;                 ///< square metres times odds of being wrong
+  Stake extent = Stake::None;       ///< Room, Plan: its parts may be doubted too
   std::vector<WarningKind> kinds{}; ///< of the warnings; none: it is just not sure
   std::string text{};               ///< what to do, and why
 };
@@ -43,8 +44,9 @@ struct PlanReview {
  *
  * Warnings of one wall, opening or room at one place are one doubt, and so are walls
  * and openings that are less than 90 % sure. So many of the first ten are to be checked
- * that the rest puts 2 % of walls and floors at stake; if all of them put more than a
- * tenth at stake, scanning again is better.
+ * that the rest puts 2 % of walls and floors at stake; if all but unit and up put more
+ * than a tenth at stake, scanning again is better. A room and its walls count once.
+ * Only odds of walls and openings are fitted; those of other warnings are chosen.
  * @param plan its openings have numbers, see numberOpenings()
  * @param warnings of the stages; what is unlikely in a building is added here */
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
