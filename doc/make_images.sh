@@ -76,8 +76,8 @@ done
 "$bin/pcl_structure_compare" "$data"/office_{before,after}/model --picture "$output/structure_compare.png"
 
 echo "== models"
-"$bin/pcl_simulate_indoor_scan" cluttered_room "$data/cluttered_room"
-for scene in bls_room hls_hall syn_flat cluttered_room; do
+"$bin/pcl_simulate_indoor_scan" bls_room "$data/noisy_room" --rays 6000 --noise 0.04
+for scene in bls_room hls_hall syn_flat noisy_room; do
   (cd "$data/$scene" && "$bin/pcl_sedr" scan.pcd model --report) # the page shows the scan's path
 done
 cp "$data/syn_flat/model/floorplan.svg" "$output/floorplan_drawing.svg"

@@ -19,7 +19,7 @@ import chromium
 # name, scene, first and last element of the part, what is done before
 PARTS = [
     ("top", "syn_flat", "header", "#rooms", ""),
-    ("advice", "cluttered_room", "#check", "#check", ""),
+    ("advice", "noisy_room", "#check", "#check", ""),
     ("model", "hls_hall", "#model h2", "#model .key", ""),
 ]
 
