@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace pcl::sedr {
 
@@ -22,7 +21,7 @@ struct Words {
   const char* opposite = nullptr; ///< the sentence if the last value is below 0
 };
 
-/** In the order of WarningKind. */
+/** In the order of WarningKind. The odds are chosen, not fitted. */
 constexpr std::array<Words, 43> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
@@ -125,12 +124,6 @@ wordsOf(WarningKind kind)
   return words[static_cast<std::size_t>(kind)];
 }
 
-double
-firstOf(const PlanWarning& warning)
-{
-  return warning.values.empty() ? 0 : std::abs(warning.values.front());
-}
-
 /** @brief Returns what a placeholder stands for. */
 std::string
 filledIn(const std::string& name, const PlanWarning& warning)
@@ -190,7 +183,8 @@ claimOf(const PlanWarning& warning)
   PlanWarning shown = warning;
   if (is_opposite)
     shown.values.back() *= -1;
-  if (warning.kind == WarningKind::Crossing && firstOf(warning) == warning.room)
+  if (warning.kind == WarningKind::Crossing && !warning.values.empty() &&
+      warning.values[0] == warning.room)
     words = "its solid meets itself";
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t open = std::min(words.find('{', at), words.size());
