@@ -46,7 +46,7 @@ reasonOf(const PlanElement& wall, double measured)
          (accuracy.isKnown()
               ? ", with a standard error of " +
                     decimalText(1000 * accuracy.standard_error, 1) + " mm"
-              : ", too little for its place");
+              : ", its standard error is not known");
 }
 
 /** @brief Returns why an opening is not sure. */

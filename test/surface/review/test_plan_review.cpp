@@ -71,8 +71,8 @@ TEST(PlanReview, WhatIsNotSureIsADoubtWithoutAWarning)
   EXPECT_EQ(review.doubts[0].subject, "wall 1.2");
   EXPECT_EQ(review.doubts[0].at, Eigen::Vector2d(4, 1.5));
   EXPECT_TRUE(review.doubts[0].kinds.empty());
-  EXPECT_NE(review.doubts[0].text.find(
-                "it is 3.00 m long, 10 % of it was measured, too little for its place"),
+  EXPECT_NE(review.doubts[0].text.find("it is 3.00 m long, 10 % of it was measured, "
+                                       "its standard error is not known"),
             std::string::npos)
       << review.doubts[0].text;
   EXPECT_EQ(review.doubts[1].subject, "passage P7");
