@@ -66,6 +66,15 @@ reasonOf(const PlanOpening& opening)
   return reason;
 }
 
+/** @brief Checks whether the values of a warning are metres long or wide, and high, in
+ * place of square metres. */
+bool
+isLengthAndHeight(const PlanWarning& warning)
+{
+  return warning.values.size() > 1 && (warning.kind == WarningKind::NoOpening ||
+                                       warning.kind == WarningKind::HalfWall);
+}
+
 double
 areaOf(const Floorplan& plan)
 {
@@ -191,7 +200,10 @@ private:
     const PlanRoom* const room = findRoom(plan_, warning.room);
     switch (stake) {
     case Stake::Value:
-      return warning.values.empty() ? 0 : std::abs(warning.values[0]);
+      if (warning.values.empty())
+        return 0;
+      return std::abs(warning.values[0]) *
+             (isLengthAndHeight(warning) ? warning.values[1] : 1);
     case Stake::Room:
       return room ? room->area() : 0;
     case Stake::Plan:

@@ -88,18 +88,18 @@ TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
   const PlanReview review = reviewOf(
       measuredRoom(), {{WarningKind::Standing, {1}, 1, 0, "", {1, 1}},
                        {WarningKind::Hidden, {1, 12}, 1},
-                       {WarningKind::HalfWall, {1.5, 1}, 1, 0, "", {1.5, 1.5}},
+                       {WarningKind::HalfWall, {1.5, 1.2}, 1, 0, "", {1.5, 1.5}},
                        {WarningKind::FloorOff, {0.5, 0.1, 0.2}, 1, 0, "", {3.5, 2}},
                        {WarningKind::Open, {2}, 1}});
   ASSERT_EQ(review.doubts.size(), 3u);
-  // By what they put at stake: 0.3 of 12 m2, half of 1.5 m2, half of 0.5 m2.
+  // By what they put at stake: 0.3 of 12 m2, half of 1.5 m x 1.2 m, of 0.5 m2.
   EXPECT_EQ(review.doubts[0].kinds,
             (std::vector<WarningKind>{WarningKind::Hidden, WarningKind::Open}));
   EXPECT_TRUE(review.doubts[0].at.allFinite());
   EXPECT_NEAR(review.doubts[0].stake, 3.6, 1e-9);
   EXPECT_EQ(review.doubts[1].kinds,
             (std::vector<WarningKind>{WarningKind::Standing, WarningKind::HalfWall}));
-  EXPECT_NEAR(review.doubts[1].stake, 0.75, 1e-9);
+  EXPECT_NEAR(review.doubts[1].stake, 0.9, 1e-9);
   EXPECT_EQ(review.doubts[2].at, Eigen::Vector2d(3.5, 2));
 }
 
