@@ -157,6 +157,9 @@ TEST(PlanReview, WhatIsAtStakeCountsOnce)
   const std::vector<PlanWarning> room{{WarningKind::FilledIn, {80, 60, 20}, 1}};
   const PlanReview alone = reviewOf(plan, room);
   EXPECT_NE(alone.text.find("again, 13 %"), std::string::npos) << alone.text;
+  const PlanReview plan_too =
+      reviewOf(plan, {room[0], warningOf(WarningKind::Stage, "odd")});
+  EXPECT_NE(plan_too.text.find("again, 13 %"), std::string::npos) << plan_too.text;
   hideWall(plan, 2);
   EXPECT_EQ(reviewOf(plan, room).doubts.size(), 2u);
   EXPECT_EQ(reviewOf(plan, room).text.substr(0, 16), alone.text.substr(0, 16));
