@@ -10,8 +10,7 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double ended =
-    2.5; // metres from an end, farthest of what counts as beyond it
+constexpr double max_hidden = 5; // metres, between parts of a face, or to a corner
 
 /** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
 void
@@ -38,13 +37,13 @@ clean(std::vector<float>& bins)
 std::vector<double>
 crossingsOf(const StoreyLine& line, const StoreyLine& other)
 {
-  constexpr double reach = 2;      // metres
   constexpr double parallel = 0.7; // cosine
   std::vector<double> crossings;
   for (const Eigen::Vector2d& p : intersections(line.curve, other.curve)) {
     const double s = line.along(p);
     const double t = other.along(p);
-    if (s < line.from || s >= line.to || t < other.from || t >= other.to ||
+    if (s < line.from || s >= line.to || t < other.from - max_hidden ||
+        t > other.to + max_hidden ||
         std::abs(line.curve.tangentAt(p).dot(other.curve.tangentAt(p))) > parallel)
       continue;
     const auto first = other.tall.begin();
@@ -53,22 +52,23 @@ crossingsOf(const StoreyLine& line, const StoreyLine& other)
              static_cast<std::ptrdiff_t>(
                  (std::clamp(at, other.from, other.to) - other.from) / StoreyLine::bin);
     };
-    if (std::any_of(bin(t - reach), bin(t + reach) + 1, [](float v) { return v > 0; }))
+    if (std::any_of(bin(t - max_hidden), bin(t + max_hidden) + 1,
+                    [](float v) { return v > 0; }))
       crossings.push_back(s);
   }
   return crossings;
 }
 
-/** @brief Returns the way back, or on, to the next bin of a kind, metres. */
-template <typename Is>
+/** @brief Returns the way back, or on, from each bin to the next one with a surface,
+ * metres. */
 std::vector<double>
-waysTo(std::size_t bins, bool back, Is is)
+waysToSurface(const std::vector<float>& tall, bool back)
 {
-  std::vector<double> ways(bins);
+  std::vector<double> ways(tall.size());
   double way = 1e6;
-  for (std::size_t k = 0; k < bins; ++k) {
-    const std::size_t i = back ? k : bins - 1 - k;
-    ways[i] = way = is(i) ? 0 : way + StoreyLine::bin;
+  for (std::size_t k = 0; k < tall.size(); ++k) {
+    const std::size_t i = back ? k : tall.size() - 1 - k;
+    ways[i] = way = tall[i] > 0 ? 0 : way + StoreyLine::bin;
   }
   return ways;
 }
@@ -146,6 +146,8 @@ LineEvidence::observe(StoreyLine& line) const
   const auto bins =
       static_cast<std::size_t>(std::ceil((line.to - line.from) / StoreyLine::bin)) + 1;
   line.any.assign(bins, 0);
+  line.seen.clear();
+  line.edges.clear();
   std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
   const Eigen::AlignedBox2d box = line.box();
   for (const std::size_t r : storey_.storey.rooms) {
@@ -181,36 +183,49 @@ LineEvidence::observe(StoreyLine& line) const
 }
 
 void
-LineEvidence::findBetween(const std::vector<StoreyLine>& lines, StoreyLine& line) const
+LineEvidence::extendToCorners(const std::vector<StoreyLine>& lines,
+                              StoreyLine& line) const
+{
+  constexpr double past = 0.1; // metres
+  if (line.curve.isCircle() || line.edges.empty())
+    return;
+  StoreyLine longer = line;
+  longer.from = line.edges.front() - max_hidden;
+  longer.to = line.edges.back() + max_hidden;
+  double before = -1e9; // the next corners
+  double after = 1e9;
+  const Eigen::Vector2d hidden = Eigen::Vector2d::Constant(max_hidden); // of others
+  const Eigen::AlignedBox2d box(longer.box().min() - hidden,
+                                longer.box().max() + hidden);
+  for (const StoreyLine& other : lines) {
+    if (!box.intersects(other.box()))
+      continue;
+    for (const double s : crossingsOf(longer, other)) {
+      if (s < line.from)
+        before = std::max(before, s);
+      if (s > line.to)
+        after = std::min(after, s);
+    }
+  }
+  if (before >= longer.from)
+    line.from = before - past;
+  if (after <= longer.to)
+    line.to = after + past;
+  observe(line);
+}
+
+void
+LineEvidence::findBetween(StoreyLine& line) const
 {
   const std::size_t bins = line.tall.size();
-  std::vector<std::uint8_t> is_end(bins, 0);
+  const std::vector<double> since = waysToSurface(line.tall, true);
+  const std::vector<double> until = waysToSurface(line.tall, false);
+  line.between.assign(bins, StoreyLine::Between::Beyond);
   for (std::size_t i = 0; i < bins; ++i)
-    is_end[i] = line.tall[i] > 0;
-  const Eigen::AlignedBox2d box = line.box();
-  for (const StoreyLine& other : lines)
-    if (box.intersects(other.box()))
-      for (const double s : crossingsOf(line, other))
-        is_end[static_cast<std::size_t>((s - line.from) / StoreyLine::bin)] = 1;
-  const auto isTall = [&](std::size_t i) { return line.tall[i] > 0; };
-  const auto isEnd = [&](std::size_t i) { return is_end[i] != 0; };
-  const std::vector<double> since = waysTo(bins, true, isTall);
-  const std::vector<double> until = waysTo(bins, false, isTall);
-  const std::vector<double> since_end = waysTo(bins, true, isEnd);
-  const std::vector<double> until_end = waysTo(bins, false, isEnd);
-  line.between.assign(bins, StoreyLine::Between::Nothing);
-  for (std::size_t i = 0; i < bins; ++i) {
-    const bool in_gap = since[i] + until[i] < max_gap;
-    const bool before_corner =
-        std::min(since[i] + until_end[i], since_end[i] + until[i]) < max_gap;
-    if (!in_gap && !before_corner && std::min(since[i], until[i]) > ended)
-      continue;
-    const Cell cell = cellAt(line, i);
-    line.between[i] = isIn(part_, cell) && !isIn(opaque_, cell)
-                          ? StoreyLine::Between::Partly
-                      : in_gap ? StoreyLine::Between::Gap
-                               : StoreyLine::Between::Beyond;
-  }
+    if (const Cell cell = cellAt(line, i); isIn(part_, cell) && !isIn(opaque_, cell))
+      line.between[i] = StoreyLine::Between::Partly;
+    else if (since[i] + until[i] < max_hidden)
+      line.between[i] = StoreyLine::Between::Gap;
 }
 
 } // namespace pcl::sedr

@@ -22,7 +22,7 @@ struct StoreyLine : FaceCurve {
   enum class Between : std::uint8_t {
     Partly, ///< below or above it goes on, as at a window or a door
     Gap,    ///< between two parts of the surface: a passage, a cupboard before it
-    Beyond, ///< near an end of the surface, or from there to a corner
+    Beyond, ///< past an end of the surface
     Nothing ///< farther away
   };
 
@@ -67,9 +67,12 @@ public:
    * it enters). */
   void observe(StoreyLine& line) const;
 
-  /** @brief Finds what is on a line where no surface reaches up to the ceiling.
-   * @param lines that were observed */
-  void findBetween(const std::vector<StoreyLine>& lines, StoreyLine& line) const;
+  /** @brief Lets a line that was observed go on up to the nearest corners with surfaces
+   * of others, hidden for at most 5 m, and observes it again. O(lines). */
+  void extendToCorners(const std::vector<StoreyLine>& lines, StoreyLine& line) const;
+
+  /** @brief Finds what is on a line where no surface reaches up to the ceiling. */
+  void findBetween(StoreyLine& line) const;
 
 private:
   Cell cellAt(const StoreyLine& line, std::size_t bin) const;

@@ -12,10 +12,8 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double beyond = 4; // metres that a line goes on past its seen ends,
-constexpr double beyond_arc = 0.2;
-
-/** @brief Appends lines across the ends of faces that end at no other one. */
+/** @brief Appends lines across the ends of faces that end at no other one; midway
+ * between ends of several. */
 void
 appendEdges(std::vector<StoreyLine>& lines)
 {
@@ -23,6 +21,7 @@ appendEdges(std::vector<StoreyLine>& lines)
   constexpr double near = 0.06;    // metres, of another line
   constexpr double shortest = 0.2; // metres, of a face that is found
   const std::size_t faces = lines.size();
+  std::vector<Eigen::AlignedBox2d> ends; // by edge
   for (std::size_t k = 0; k < faces; ++k) {
     const StoreyLine line = lines[k];
     if (line.is_end || line.isWhole())
@@ -30,13 +29,21 @@ appendEdges(std::vector<StoreyLine>& lines)
     for (const double s : line.edges) {
       const Eigen::Vector2d p = line.at(s);
       const Eigen::Vector2d way = line.curve.tangentAt(p);
-      if (std::any_of(lines.begin(), lines.end(), [&](const StoreyLine& other) {
+      const auto across =
+          std::find_if(lines.begin(), lines.end(), [&](const StoreyLine& other) {
             const double t = other.along(p);
             return other.curve.distance(p) < near && t > other.from - reach &&
                    t < other.to + reach &&
                    std::abs(other.curve.tangentAt(p).dot(way)) < 0.7;
-          }))
+          });
+      if (across != lines.end()) {
+        if (across->is_end) {
+          Eigen::AlignedBox2d& of =
+              ends[static_cast<std::size_t>(across - lines.begin()) - faces];
+          across->curve.point = of.extend(p).center();
+        }
         continue;
+      }
       StoreyLine edge;
       edge.is_end = true;
       edge.curve.point = p;
@@ -53,6 +60,7 @@ appendEdges(std::vector<StoreyLine>& lines)
             shortest)
           edge.between[i] = StoreyLine::Between::Beyond;
       lines.push_back(std::move(edge));
+      ends.emplace_back(p);
     }
   }
 }
@@ -63,10 +71,13 @@ StoreyLines
 storeyLines(const StoreyEvidence& storey)
 {
   std::vector<Eigen::Vector2d> places;
-  for (const std::size_t r : storey.storey.rooms)
-    places.insert(places.end(), storey.cells[r].wall_points.begin(),
-                  storey.cells[r].wall_points.end());
-  const FaceCurves faces = faceCurves(places, storey.radii, storey.threads);
+  std::vector<float> shares;
+  for (const std::size_t r : storey.storey.rooms) {
+    const RoomCells& room = storey.cells[r];
+    places.insert(places.end(), room.wall_points.begin(), room.wall_points.end());
+    shares.insert(shares.end(), room.wall_shares.begin(), room.wall_shares.end());
+  }
+  const FaceCurves faces = faceCurves(places, storey.radii, storey.threads, shares);
   StoreyLines storey_lines{{}, faces.certainty};
   std::vector<StoreyLine>& lines = storey_lines.lines;
   for (const FaceCurve& face : faces.curves) {
@@ -80,16 +91,19 @@ storeyLines(const StoreyEvidence& storey)
                    [&](std::size_t k, std::size_t) { body(lines[k]); });
   };
   forEachLine([&](StoreyLine& line) {
+    constexpr double beyond_arc = 0.2; // metres: a turn that goes on is seen
     const double on =
         line.curve.isCircle()
             ? std::min(beyond_arc, M_PI * line.curve.radius - (line.to - line.from) / 2)
-            : beyond;
+            : long_face;
     line.from -= on;
     line.to += on;
     line.near = storey.near;
     evidence.observe(line);
   });
-  forEachLine([&](StoreyLine& line) { evidence.findBetween(lines, line); });
+  const std::vector<StoreyLine> seen = lines;
+  forEachLine([&](StoreyLine& line) { evidence.extendToCorners(seen, line); });
+  forEachLine([&](StoreyLine& line) { evidence.findBetween(line); });
   appendEdges(lines);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const StoreyLine& a, const StoreyLine& b) {

@@ -286,14 +286,28 @@ gatherWalls(const PointView& points,
   for (std::size_t i = 0; i < count; ++i)
     if (!cells.riser.values()[i] || isTall(i))
       sums[i].setZero();
+  const auto shareAt = [&](std::size_t i) {
+    std::uint64_t filled = 0;
+    const Cell cell = cells.seen.cellAt(i);
+    for (std::int32_t dy = -1; dy <= 1; ++dy)
+      for (std::int32_t dx = -1; dx <= 1; ++dx)
+        if (const Cell beside{cell.x + dx, cell.y + dy}; cells.seen.isInside(beside))
+          filled |= bins_of_base[cells.seen.indexOf(beside)];
+    const double height =
+        cells.top[i] - std::max<double>(cells.bottom[i], cells.floor) - 2 * p.rim;
+    const double all = std::clamp(height / p.bin, 1.0, 63.0);
+    return static_cast<float>(std::min(1.0, __builtin_popcountll(filled) / all));
+  };
   for (const Place& place : places) {
     if (endsBelow(place.cell))
       continue;
     if ((!place.is_top   ? near_pillar
          : place.is_wall ? beside_tall
                          : near_tall)
-            .values()[place.cell])
+            .values()[place.cell]) {
       cells.wall_points.push_back(place.at);
+      cells.wall_shares.push_back(shareAt(place.cell));
+    }
     if (place.is_top && isTall(place.cell))
       sums[place.cell] += place.at.homogeneous();
   }
@@ -303,9 +317,11 @@ gatherWalls(const PointView& points,
       continue;
     }
     // As good as a wall above a parapet; elsewhere it may be noise of the ceiling.
-    if (cells.riser.values()[i] && is_low[i] && near_base.values()[i])
+    if (cells.riser.values()[i] && is_low[i] && near_base.values()[i]) {
       cells.wall_points.insert(cells.wall_points.end(), p.filled,
                                sums[i].hnormalized());
+      cells.wall_shares.insert(cells.wall_shares.end(), p.filled, shareAt(i));
+    }
   }
 }
 

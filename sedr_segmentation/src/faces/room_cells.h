@@ -42,6 +42,9 @@ struct RoomCells {
   CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
   CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
+  /** @brief Of the height from floor to ceiling at each of them, the share at which
+   * something was seen: little of a bulkhead's, much of a wall's. */
+  std::vector<float> wall_shares;
 
   /** @brief Returns whether two rooms share more than half a metre of height. */
   bool sharesHeights(const RoomCells& other) const;

@@ -113,7 +113,8 @@ private:
     const auto gainOf = [&](std::size_t c) {
       double gain = 0;
       for (const auto& [i, share] : of[c])
-        gain += std::max(0.F, share - explained[i]) * places_.places[i].length;
+        gain += std::max(0.F, share - explained[i]) * places_.places[i].length *
+                places_.places[i].share;
       return face_ * gain - costOf(found_[c]);
     };
     for (std::size_t c = 0; c < found_.size(); ++c)
@@ -211,9 +212,10 @@ private:
 FaceCurves
 faceCurves(const std::vector<Eigen::Vector2d>& given,
            const RadiusRange& radii,
-           unsigned threads)
+           unsigned threads,
+           const std::vector<float>& shares)
 {
-  const FacePlaces places(given, threads);
+  const FacePlaces places(given, shares, threads);
   return FaceChoice(places, radii, proposeFaces(places, radii, threads), threads)
       .best();
 }

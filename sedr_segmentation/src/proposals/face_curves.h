@@ -33,9 +33,12 @@ struct FaceCosts {
  * the offsets along main directions, and what is fitted to chains of neighbouring
  * places with steady normals; each grown as far as places go on. Of all these those are
  * kept that explain what no better one does, by more than their parameters cost
- * (greedily: what is explained is submodular). O(places x curves near them). */
+ * (greedily: what is explained is submodular). O(places x curves near them).
+ * @param shares of the height of the room that were seen at each place, so that a
+ * bulkhead tells less than the wall behind it; empty: all of it */
 FaceCurves faceCurves(const std::vector<Eigen::Vector2d>& places,
                       const RadiusRange& radii = {},
-                      unsigned threads = 1);
+                      unsigned threads = 1,
+                      const std::vector<float>& shares = {});
 
 } // namespace pcl::sedr

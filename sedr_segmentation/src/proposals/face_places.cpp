@@ -91,7 +91,9 @@ localNormal(const std::vector<Eigen::Vector2d>& around, double radius, double st
 
 } // namespace
 
-FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given, unsigned threads)
+FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given,
+                       const std::vector<float>& shares,
+                       unsigned threads)
     : points(given, reach)
 {
   std::map<std::pair<long, long>, double> counts;
@@ -114,8 +116,9 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given, unsigned threa
         around.emplace_back(q - p);
       });
       FacePlace& place = places[i];
+      const float share = shares.empty() ? 1 : shares[points.given(i)];
       place = {p, localNormal(around, reach * scale, strip),
-               scale * FaceCurve::bin / counts.at(cellOf(p))};
+               scale * FaceCurve::bin / counts.at(cellOf(p)), share};
       double n = 0;
       double offset = 0;
       for (const Eigen::Vector2d& d : around)

@@ -15,13 +15,17 @@ struct FacePlace {
   Eigen::Vector2d at;     ///< mean of those around, as far as the normal is known
   Eigen::Vector2d normal; ///< of the face there; zero if unknown, as at corners
   double length = 0;      ///< of the face that it stands for, metres
+  double share = 1;       ///< of the height of the face that was seen there
 };
 
 /** @brief Places on faces with the directions of these, and their noise. */
 struct FacePlaces {
   /** @brief Finds the normal of each place, and moves it to the mean of those beside it
-   * along the face. O(n log n). */
-  FacePlaces(const std::vector<Eigen::Vector2d>& given, unsigned threads);
+   * along the face. O(n log n).
+   * @param shares of the height of the face that were seen at each; empty: all of it */
+  FacePlaces(const std::vector<Eigen::Vector2d>& given,
+             const std::vector<float>& shares,
+             unsigned threads);
 
   /** @brief Returns the places with others beside them along a direction, so that they
    * may be on a face there: offset, along. */

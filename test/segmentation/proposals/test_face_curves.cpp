@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -83,6 +84,21 @@ TEST(FaceCurves, LinesTurnedIntoAMainDirectionKeepTheirEnds)
   for (const FaceCurve& face : found.curves)
     for (const double s : {face.from, face.to})
       EXPECT_LT(room.distance(face.at(s)), 0.06) << face.from << " to " << face.to;
+}
+
+TEST(FaceCurves, OfWhichLittleOfTheHeightWasSeenTellLittle)
+{
+  const PlanLoop room = rectangle(0, 0, 5, 4);
+  std::vector<Eigen::Vector2d> places = placesOn({room}, 0.003);
+  const std::size_t walls = places.size();
+  for (const Eigen::Vector2d& p : placesOn({{{segment({2, 0.5}, {2.7, 0.5})}}}, 0.003))
+    places.push_back(p);
+  for (const auto& [share, curves] : {std::pair(1.F, 5U), std::pair(0.1F, 4U)}) {
+    std::vector<float> shares(places.size(), share);
+    std::fill_n(shares.begin(), walls, 1.F);
+    EXPECT_EQ(pcl::sedr::faceCurves(places, {}, 1, shares).curves.size(), curves)
+        << share;
+  }
 }
 
 TEST(FaceCurves, OfExactPlacesHaveRadiiThatMayBe)
