@@ -17,7 +17,7 @@ import unittest
 import step_reader
 import web_ifc
 from ifc_samples import VOLUMES, house, house_with_doors, opening, passage, write
-from plan_samples import rectangle, room, segment, slab
+from plan_samples import arc, rectangle, room, segment, slab
 from web_ifc import opened
 
 TOOL = sys.argv[1]
@@ -172,6 +172,20 @@ class WebIfc(unittest.TestCase):
         plan = dict(house(), rooms=[ring, core], storeys=[], stairs=[], openings=[
             passage([1, 2], [5, 3.1], [6, 3.1]), passage([1, 2], [3.05, 4], [3.05, 5]), passage([0, 1], [9, 5], [9, 6])])
         self.assertEqual(self.expect_cuts(plan, "core "), 3)
+
+    def test_openings_cut_a_curved_wall_wherever_they_are(self):
+        """A window of 1 m in a ring from 4 m to 4.2 m."""
+        def below(radius, x=0.5):
+            return x * math.sqrt(radius ** 2 - x ** 2) + radius ** 2 * math.asin(x / radius)
+
+        for degrees in (0, 60, 184):
+            a = math.radians(degrees)
+            ends = [[4.1 * math.cos(a) + w * math.sin(a), 4.1 * math.sin(a) - w * math.cos(a)] for w in (0.5, -0.5)]
+            plan = dict(house(), rooms=[room(1, [arc([0, 0], 4, [4, 0], [4, 0])], slab(0), slab(2.5))],
+                        storeys=[], stairs=[], openings=[opening("window", [1, 0], *ends, 0.9, 2)])
+            path = write(TOOL, plan, self.folder, "--ifc-arcs", "faceted")
+            (_, cut, _), = web_ifc.cuts(path, step_reader.read(path), opened(path)["products"])
+            self.assertAlmostEqual(cut, (below(4.2) - below(4)) * 1.1, 3, degrees)
 
     def test_openings_that_overlap_and_pass_through_the_roof(self):
         """The roof rises along a wall from 1.5 m to 3.5 m, through a window; another window overlaps it, so does

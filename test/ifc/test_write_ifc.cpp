@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -171,6 +173,60 @@ TEST(WriteIfc, ANetVolumeIsWithoutNichesAndOverlapsCountOnce)
   EXPECT_NEAR(wall.net_area, 4 * 2.5 - open, 1e-6);
   EXPECT_NEAR(wall.gross_volume, gross, 1e-6);
   EXPECT_NEAR(wall.net_volume, gross - open * 0.2 - 0.5 * 1 * 0.1, 1e-6);
+}
+
+/** What is between two circles about one centre and two lines at +-w / 2 from it. */
+double
+areaBetween(double inner, double outer, double width)
+{
+  const auto below = [x = width / 2](double r) {
+    return x * std::sqrt(r * r - x * x) + r * r * std::asin(x / r);
+  };
+  return below(outer) - below(inner);
+}
+
+TEST(WriteIfc, AnOpeningInACurvedWallIsAsWideAllThroughWhereverItIs)
+{
+  constexpr double width = 0.6;
+  constexpr double height = 1.1;
+  struct Round {
+    PlanLoop boundary;
+    std::size_t wall;
+    Eigen::Vector2d centre;
+    double inner, outer;
+    std::vector<double> degrees;
+  };
+  const std::vector<Round> rounds{
+      {circle({1, 2}, 4), 0, {1, 2}, 4, 4.2, {0, 45, 90, 135, 180, 184, 270}},
+      {stadium(4, 2), 1, {4, 0}, 2, 2.2, {-70, -45, 0, 45, 70}},
+      {bittenRectangle(8, 5, 2), 1, {4, 0}, 1.8, 2, {20, 90, 160}}};
+  for (const Round& round : rounds)
+    for (const double degrees : round.degrees) {
+      const double a = degrees * M_PI / 180;
+      const Eigen::Vector2d out(std::cos(a), std::sin(a));
+      const Eigen::Vector2d half = Eigen::Vector2d(-out.y(), out.x()) * width / 2;
+      const Eigen::Vector2d middle = round.centre + (round.inner + 0.1) * out;
+      Floorplan plan{{roomOf(round.boundary, 2.5)}};
+      plan.openings = {{OpeningKind::Window,
+                        {1, 0},
+                        {},
+                        middle + half,
+                        middle - half,
+                        0.9,
+                        0.9 + height}};
+      const IfcModel model = writeIfc(plan);
+      EXPECT_TRUE(model.warnings.empty());
+      EXPECT_EQ(count(model.text, "=IFCRELFILLSELEMENT("), 1u);
+      const auto wall =
+          std::find_if(model.schedules.walls.begin(), model.schedules.walls.end(),
+                       [&](const WallRow& row) {
+                         return row.number == "1." + std::to_string(round.wall + 1);
+                       });
+      ASSERT_NE(wall, model.schedules.walls.end());
+      const double open = areaBetween(round.inner, round.outer, width) * height;
+      EXPECT_NEAR(wall->gross_volume - wall->net_volume, open, 2e-4) << degrees;
+      EXPECT_NEAR(wall->gross_area - wall->net_area, open / 0.2, 1e-3) << degrees;
+    }
 }
 
 TEST(WriteIfc, AStairHasItsFlights)

@@ -32,8 +32,8 @@ isInGap(const WrittenGap& gap, const PlanLoop& niche, double bottom, double top)
   constexpr double off = 0.05;
   Eigen::AlignedBox2d plan(gap.box.plan.min().array() - off,
                            gap.box.plan.max().array() + off);
-  return plan.contains(boundsOf(niche)) && bottom > gap.box.bottom - off &&
-         top < gap.box.top + off;
+  return plan.contains(boundsOf(inFrame(niche, gap.box.frame))) &&
+         bottom > gap.box.bottom - off && top < gap.box.top + off;
 }
 
 } // namespace

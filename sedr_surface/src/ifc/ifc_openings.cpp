@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../walls/wall_band.h"
 #include "ifc_parts.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::sedr::ifc {
 namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
 constexpr double beside = 0.15;   ///< of a wall, where an opening in it may lie, metres
+constexpr double min_size = 0.05; ///< of what an opening takes of a wall, metres
 
-/** @brief Returns the box of an opening across a wall; no_area if it is not in this
- * wall. */
+/** @brief Returns the box of an opening across a wall: along a straight one, square to
+ * its own chord through a curved one; false if it is not in this wall. */
 bool
 boxIn(const Floorplan& plan,
       const WrittenWall& written,
@@ -22,10 +23,8 @@ boxIn(const Floorplan& plan,
       double reach,
       OpeningBox& box)
 {
-  constexpr double min_width = 0.05;
   constexpr double cosine = 0.86; // 30 degrees between opening and wall
   const PlanElement& element = elementOf(plan, written.wall.face);
-  const WallFrame& frame = written.frame;
   const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
   const Eigen::Vector2d way = (opening.end - opening.start).normalized();
   const auto [place, inward] = faceAt(element, element.project(middle));
@@ -33,35 +32,38 @@ boxIn(const Floorplan& plan,
   if (behind < -reach || behind > written.wall.thickness + reach ||
       std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
     return false;
-  const Eigen::AlignedBox2d& wall = written.box;
-  const Eigen::Vector2d a = frame.toLocal(opening.start);
-  const Eigen::Vector2d b = frame.toLocal(opening.end);
-  const double from = std::min(a.x(), b.x());
-  const double to = std::max(a.x(), b.x());
-  if (std::min(to, wall.max().x()) - std::max(from, wall.min().x()) < min_width)
-    return false;
   constexpr double on_floor = 0.05; // a sill lower than that is none
   const double bottom = opening.bottom - written.bottom;
   box.bottom = bottom < on_floor ? 0 : bottom;
   box.top = opening.top - written.bottom;
-  if (box.top - box.bottom < min_width || box.bottom >= written.top - written.bottom)
+  if (box.top - box.bottom < min_size || box.bottom >= written.top - written.bottom)
     return false;
-  double low = wall.min().y();
-  double high = wall.max().y();
-  if (element.isArc()) { // no more of a curved wall than is beside the opening
-    low = std::numeric_limits<double>::infinity();
-    high = -low;
-    for (const Eigen::Vector2d& p : {opening.start, middle, opening.end}) {
-      const auto [face, in] = faceAt(element, element.project(p));
-      for (const double off : {0.0, written.wall.thickness}) {
-        low = std::min(low, frame.toLocal(face - off * in).y());
-        high = std::max(high, frame.toLocal(face - off * in).y());
-      }
-    }
+  const Eigen::Vector2d start = written.frame.toLocal(opening.start);
+  const Eigen::Vector2d end = written.frame.toLocal(opening.end);
+  if (element.isArc()) {
+    const Eigen::Vector2d centre = written.frame.toLocal(element.centre);
+    const Eigen::Vector2d chord = (end - start).normalized();
+    box.frame = {centre, leftOf(chord).dot(start - centre) > 0 ? chord : -chord};
   }
-  low += std::min((written.runs.far - written.runs.near) * box.top, 0.0);
-  box.plan = Eigen::AlignedBox2d(Eigen::Vector2d(from, low - overshoot),
-                                 Eigen::Vector2d(to, high + overshoot));
+  const double a = box.frame.toLocal(start).x();
+  const double b = box.frame.toLocal(end).x();
+  Eigen::AlignedBox2d across;
+  if (element.isArc()) {
+    const auto [inner, outer] =
+        std::minmax(element.radius, farSideOf(plan, written.wall).radius);
+    const double side = std::max(std::abs(a), std::abs(b));
+    across.extend(
+        Eigen::Vector2d(0, std::sqrt(std::max(inner * inner - side * side, 0.0))));
+    across.extend(Eigen::Vector2d(0, outer));
+  }
+  else
+    for (const Eigen::Vector2d& corner : written.wall.outline)
+      across.extend(corner);
+  const double taper = (written.runs.far - written.runs.near) * box.top;
+  box.plan = Eigen::AlignedBox2d(
+      Eigen::Vector2d(std::min(a, b),
+                      across.min().y() + std::min(taper, 0.0) - overshoot),
+      Eigen::Vector2d(std::max(a, b), across.max().y() + overshoot));
   return true;
 }
 
@@ -94,16 +96,18 @@ writeGaps(IfcDocument& document,
     for (WrittenWall& wall : walls) {
       OpeningBox box;
       if (!isBetween(document.plan, wall.wall, opening) ||
-          !boxIn(document.plan, wall, opening, reach, box) ||
-          commonArea(wall.profile, {loopAround(box.plan)}) <= no_area)
+          !boxIn(document.plan, wall, opening, reach, box))
+        continue;
+      const PlanLoop plan = box.loop();
+      if (commonArea(wall.profile, {plan}) <= min_size * wall.wall.thickness)
         continue;
       const std::string part =
           gaps.empty() ? "" : "_part_" + std::to_string(gaps.size() + 1);
       const StepRef cut =
           writeOpening(document, wall, name + part,
-                       document.shapes.extrusion(loopAround(box.plan), {}, box.bottom,
+                       document.shapes.extrusion(plan, {}, box.bottom,
                                                  box.top - box.bottom, wall.runs.near),
-                       {loopAround(box.plan), horizontalSlab(wall.bottom + box.bottom),
+                       {plan, horizontalSlab(wall.bottom + box.bottom),
                         horizontalSlab(wall.bottom + box.top)});
       document.addQuantities(cut, name + part, "Qto_OpeningElementBaseQuantities",
                              {{"LENGTH", "Width", opening.width()},
@@ -137,15 +141,17 @@ public:
       return;
     const WrittenWall& wall = *gap.wall;
     const OpeningBox& box = gap.box;
-    const WallFrame& frame = wall.frame;
     const std::vector<OpeningLeaf> leaves = leavesOf(opening);
-    const bool is_turned = !leaves.empty() && frame.toLocal(leaves[0].open).y() <
-                                                  frame.toLocal(leaves[0].hinge).y();
+    const auto across = [&](const Eigen::Vector2d& p) {
+      return box.frame.toLocal(wall.frame.toLocal(p)).y();
+    };
+    const bool is_turned =
+        !leaves.empty() && across(leaves[0].open) < across(leaves[0].hinge);
     const double sign = is_turned ? -1 : 1;
-    const Eigen::Vector2d middle = box.plan.center();
+    const Eigen::Vector2d middle = box.frame.toPlan(box.plan.center());
     const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
     const StepRef place = document_.shapes.placement(
-        wall.placement, {middle.x(), middle.y(), 0}, {sign, 0});
+        wall.placement, {middle.x(), middle.y(), 0}, sign * box.frame.way);
     const IfcBody body =
         document_.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
                                    box.top - box.bottom, sign * wall.runs.near);
@@ -280,13 +286,14 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
   const PlanLoop& profile = wall.profile.boundary;
   if (profile.elements.empty() || std::abs(profile.area()) < no_area)
     return true;
-  const Eigen::AlignedBox2d plan_box = boundsOf(profile);
   return std::any_of(
       plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
         OpeningBox box;
         return isBetween(plan, wall.wall, opening) &&
-               boxIn(plan, wall, opening, beside, box) && box.plan.contains(plan_box) &&
-               box.bottom <= 0 && box.top >= wall.top - wall.bottom - min_wall_height;
+               boxIn(plan, wall, opening, beside, box) && box.bottom <= 0 &&
+               box.top >= wall.top - wall.bottom - min_wall_height &&
+               largestPartOutside(wall.profile, {{box.loop()}})
+                   .boundary.elements.empty();
       });
 }
 

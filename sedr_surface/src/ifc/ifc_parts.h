@@ -51,10 +51,9 @@ struct WrittenWall {
   WallHeights heights{};
   std::vector<WallCut> cuts{}; ///< openings and niches in it
   bool is_external = false;
-  std::string number{};      ///< on the sheet
-  WallRuns runs{};           ///< of a tilted wall
-  PlanArea profile{};        ///< in the frame
-  Eigen::AlignedBox2d box{}; ///< from face to face, in the frame
+  std::string number{}; ///< on the sheet
+  WallRuns runs{};      ///< of a tilted wall
+  PlanArea profile{};   ///< in the frame
 };
 
 /** @brief Adds a space with quantities for each room. */
@@ -67,11 +66,23 @@ std::vector<WrittenWall> writeWalls(IfcDocument& document);
  * opening takes it from bottom to top. */
 bool isWhollyOpen(const Floorplan& plan, const WrittenWall& wall);
 
-/** @brief A box in the frame of a wall, with z from the wall's bottom. */
+/** @brief What an opening takes of a wall, with z from the wall's bottom. */
 struct OpeningBox {
-  Eigen::AlignedBox2d plan;
+  /** @brief In the frame of the wall: that frame itself; in a curved wall, the centre
+   * of its arc and the way of the opening. */
+  WallFrame frame{Eigen::Vector2d::Zero(), Eigen::Vector2d::UnitX()};
+  Eigen::AlignedBox2d plan; ///< in `frame`
   double bottom = 0;
   double top = 0;
+
+  /** @brief Returns the outline in the frame of the wall. */
+  PlanLoop loop() const
+  {
+    PlanLoop loop = loopAround(plan);
+    for (PlanElement& e : loop.elements)
+      e = segment(frame.toPlan(e.start), frame.toPlan(e.end));
+    return loop;
+  }
 };
 
 /** @brief A gap in a wall that was written. */

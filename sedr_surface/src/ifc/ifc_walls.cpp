@@ -255,7 +255,6 @@ writeWalls(IfcDocument& document)
     added.is_external = isExternal(plan, wall);
     added.runs = runsOf(plan, wall);
     added.profile = profileOf(site);
-    added.box = boundsOf(site.band.boundary);
     endAtBodies(document, site, added);
     if (isWhollyOpen(plan, added))
       continue;
