@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -90,13 +91,14 @@ from_json(const Json& json, PlanRoom& room)
   json.at("floor").get_to(room.floor);
   json.at("ceiling").get_to(room.ceiling);
   json.at("boundary").get_to(room.boundary);
-  json.at("columns").get_to(room.columns);
+  readIfThere(json, "columns", room.columns);
   readIfThere(json, "facets", room.details);
   for (PlanDetail& facet : room.details)
     facet.is_facet = true;
-  for (auto& detail : json.at("details").get<std::vector<PlanDetail>>())
-    room.details.push_back(std::move(detail));
-  readIfThere(json, "floor_details", room.floor_details); // older files do not have it
+  std::vector<PlanDetail> details;
+  readIfThere(json, "details", details);
+  std::move(details.begin(), details.end(), std::back_inserter(room.details));
+  readIfThere(json, "floor_details", room.floor_details);
   readIfThere(json, "niches", room.niches);
 }
 

@@ -95,8 +95,8 @@ from_json(const Json& json, PlanElement& e)
       throw std::invalid_argument("the radius of an arc must be above 0 m, it is " +
                                   numberText(e.radius));
   }
-  json.at("inliers").get_to(e.inliers);
-  json.at("residual").get_to(e.residual);
+  readIfThere(json, "inliers", e.inliers);
+  readIfThere(json, "residual", e.residual);
   if (json.contains("evidence")) {
     const Json& evidence = json.at("evidence");
     evidence.at("seen").get_to(e.evidence.seen);
@@ -193,8 +193,8 @@ void
 from_json(const Json& json, PlanSlab& slab)
 {
   json.at("plane").get_to(slab.plane);
-  json.at("inliers").get_to(slab.inliers);
-  json.at("residual").get_to(slab.residual);
+  readIfThere(json, "inliers", slab.inliers);
+  readIfThere(json, "residual", slab.residual);
   // A normal that was rounded; planProblem() refuses one that is no unit vector.
   const double error = std::abs(slab.plane.head<3>().norm() - 1);
   if (error > 1e-9 && error <= 1e-3)
@@ -211,7 +211,7 @@ from_json(const Json& json, PlanDetail& detail)
 {
   json.at("slab").get_to(detail.slab);
   json.at("boundary").get_to(detail.boundary);
-  json.at("holes").get_to(detail.holes);
+  readIfThere(json, "holes", detail.holes);
 }
 
 void
@@ -279,7 +279,7 @@ from_json(const Json& json, PlanOpening& opening)
   readName(json, "hinge", hinges, opening.hinge);
   readName(json, "state", states, opening.state);
   json.at("rooms").get_to(opening.rooms);
-  for (const Json& wall : json.at("walls"))
+  for (const Json& wall : json.value("walls", Json::array()))
     opening.walls.push_back(
         {wall.at("room").get<std::uint32_t>(), wall.at("element").get<std::size_t>()});
   json.at("start").get_to(opening.start);
@@ -288,7 +288,8 @@ from_json(const Json& json, PlanOpening& opening)
   json.at("top").get_to(opening.top);
   opening.rise = json.value("head", Json::object()).value("rise", 0.0);
   opening.depth = json.value("depth", 0.0);
-  opening.number = json.value("number", 0U);
+  if (json.contains("number"))
+    opening.number = wholeFrom(json["number"], 0, "the number of an opening");
   opening.swing = json.value("swing", 0U);
   opening.confidence = json.value("confidence", 0.0);
   opening.residual = json.value("residual", 0.0);

@@ -2,8 +2,15 @@
 #include "plan_check.h"
 
 #include "../base/number_text.h"
+#include "../walls/tilted_walls.h"
 #include "level_planes.h"
 
+#include <pcl/sedr_filters/plan_editor.h>
+#include <pcl/sedr_filters/plan_measures.h>
+
+#include <boost/locale/encoding_utf.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -141,9 +148,72 @@ checkSlab(const PlanSlab& slab)
           "the extents of a curved facet must be above 0 m and its heights finite");
 }
 
+/** @param what with its article, and whose it is */
+void
+checkName(const std::string& name, const std::string& what)
+{
+  namespace conv = boost::locale::conv;
+  constexpr std::size_t most = 255; // characters of a label in IFC
+  std::size_t length = 0;
+  try {
+    length = conv::utf_to_utf<char32_t>(name, conv::stop).size();
+  }
+  catch (const conv::conversion_error&) {
+    require(false, what + " is not UTF-8");
+  }
+  require(length <= most, what + " has at most " + std::to_string(most) +
+                              " characters, not " + std::to_string(length));
+}
+
+/** @brief Checks that the ceiling is above the floor somewhere along the walls. */
+void
+checkHeight(const PlanRoom& room)
+{
+  constexpr double beside = 0.01; // metres
+  Eigen::Vector2d p;
+  const auto& walls = room.boundary.elements;
+  const bool is_above =
+      std::any_of(walls.begin(), walls.end(), [&](const PlanElement& e) {
+        const double middle = e.length() / 2;
+        p = e.pointAt(middle) + beside * e.normalAt(middle);
+        return room.ceilingAt(p) > room.floorAt(p);
+      });
+  require(is_above, "the ceiling of room " + std::to_string(room.id) + ", at z " +
+                        numberText(room.ceilingAt(p)) +
+                        " m, must be above its floor, at " +
+                        numberText(room.floorAt(p)));
+}
+
+/** @brief Checks that no tilted walls meet below the ceiling. */
+void
+checkTilts(const PlanRoom& room)
+{
+  if (!isTilted(room))
+    return;
+  const double head = headOf(room);
+  const std::string which = "the tilted walls of room " + std::to_string(room.id) +
+                            " meet below its ceiling at z " + numberText(head) + " m: ";
+  for (std::size_t i = 0; i < room.boundary.elements.size(); ++i) {
+    const PlanElement& foot = room.boundary.elements[i];
+    const auto sizeAt = [&](double z) { // linear in z
+      const PlanElement wall = wallAt(room, i, z);
+      return foot.isArc() ? wall.radius
+                          : (wall.end - wall.start).dot(foot.end - foot.start);
+    };
+    const double size = sizeAt(head);
+    require(size > 0, which + "nothing is left of wall " + std::to_string(room.id) +
+                          "." + std::to_string(i + 1) + " from z " +
+                          numberText(head + size / (sizeAt(head - 1) - size)) +
+                          " m on");
+  }
+  const std::string problem = outlineProblem(boundaryAt(room, head));
+  require(problem.empty(), which + "its outline there " + problem);
+}
+
 void
 checkRoom(const PlanRoom& room)
 {
+  checkName(room.name, "the name of room " + std::to_string(room.id));
   checkSlab(room.floor);
   checkSlab(room.ceiling);
   checkOuter(room.boundary);
@@ -159,6 +229,8 @@ checkRoom(const PlanRoom& room)
     checkSlab(niche.bottom);
     checkSlab(niche.top);
   }
+  checkHeight(room);
+  checkTilts(room);
 }
 
 using Ids = std::set<std::uint32_t>;
@@ -176,6 +248,7 @@ checkStoreys(const std::vector<PlanStorey>& storeys, const Ids& ids)
   Ids placed;
   Ids numbers;
   for (const PlanStorey& storey : storeys) {
+    checkName(storey.name, "the name of storey " + std::to_string(storey.number));
     checkLength(storey.floor, "the floor of a storey");
     checkLength(storey.ceiling, "the ceiling of a storey");
     require(numbers.insert(storey.number).second,
@@ -262,8 +335,12 @@ checkPlan(const Floorplan& plan)
   checkStoreys(plan.storeys, ids);
   for (const PlanStair& stair : plan.stairs)
     checkStair(stair, ids);
-  for (const PlanOpening& opening : plan.openings)
+  std::set<std::string> marks;
+  for (const PlanOpening& opening : plan.openings) {
     checkOpening(opening, plan, ids);
+    require(opening.number == 0 || marks.insert(markOf(opening)).second,
+            "two openings have the number " + markOf(opening));
+  }
 }
 
 } // namespace

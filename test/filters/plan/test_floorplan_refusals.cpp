@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -120,6 +122,17 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
             [](Floorplan& p) { p.storeys[0].number = 3; }},
            {"a whole number from 1", [](Floorplan& p) { p.storeys[0].number = 0; }},
            {"must be above its bottom", [](Floorplan& p) { p.openings[0].top = -1; }},
+           {"the ceiling of room 2, at z -1 m, must be above its floor, at 0",
+            [](Floorplan& p) { p.rooms[1].ceiling = slabAt(-1); }},
+           {"", [](Floorplan& p) { p.rooms[1].ceiling = slabAt(-4, 1); }},
+           {"two openings have the number D1",
+            [](Floorplan& p) {
+              p.openings[0].number = 1;
+              p.openings.push_back(p.openings[0]);
+            }},
+           {"", [](Floorplan& p) { p.rooms[1].name = std::string(255, 'L'); }},
+           {"at most 255 characters, not 256",
+            [](Floorplan& p) { p.rooms[1].name = std::string(256, 'L'); }},
            {"a stair's top must not be below its bottom",
             [](Floorplan& p) { p.stairs[0].top = -1; }},
            {"a stair's bottom must lie within",
@@ -140,6 +153,49 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
   }
 }
 
+/** Walls of a room of 3 m x 3 m that tilt by t meet 1.5 m / tan t above the floor. */
+TEST(FloorplanRefusals, TiltedWallsMeetAboveTheCeiling)
+{
+  for (const double degrees : {15.0, 20.0, 21.0, 28.0})
+    for (const bool all : {true, false}) {
+      Floorplan plan{{roomOf(rectangle(0, 0, 3, 3), 4, 7)}};
+      for (const std::size_t wall : {0U, 1U, 2U, 3U})
+        if (all || wall % 2 == 0)
+          plan.rooms[0].boundary.elements[wall].tilt = degrees * M_PI / 180;
+      const double meet = 1.5 / std::tan(degrees * M_PI / 180);
+      const std::string problem = refusalOf(floorplanToJson(plan));
+      std::ostringstream z;
+      z << "the tilted walls of room 7 meet below its ceiling at z 4 m: nothing is "
+           "left "
+           "of wall 7."
+        << (all ? 1 : 2) << " from z " << meet << " m on";
+      EXPECT_NE(problem.find(meet > 4 ? "" : z.str()), std::string::npos) << problem;
+      EXPECT_EQ(problem.empty(), meet > 4) << problem;
+    }
+}
+
+TEST(FloorplanRefusals, TiltedWallsOfAWaistMeetAboveTheCeiling)
+{
+  Floorplan plan{{roomOf(polygon({{0, 0},
+                                  {2, 0},
+                                  {2, 1},
+                                  {4, 1},
+                                  {4, 0},
+                                  {6, 0},
+                                  {6, 4},
+                                  {4, 4},
+                                  {4, 3},
+                                  {2, 3},
+                                  {2, 4},
+                                  {0, 4}}),
+                         2.5)}};
+  auto& walls = plan.rooms[0].boundary.elements;
+  walls[2].tilt = walls[8].tilt = 20 * M_PI / 180;
+  EXPECT_EQ(refusalOf(floorplanToJson(plan)), "") << "2 m apart, they meet at 2.75 m";
+  walls[2].tilt = walls[8].tilt = 24 * M_PI / 180;
+  EXPECT_NE(refusalOf(floorplanToJson(plan)).find("crosses itself"), std::string::npos);
+}
+
 TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)
 {
   struct Case {
@@ -154,6 +210,8 @@ TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)
                         Case{"\"id\": 1", "\"id\": 7.5", "not 7.5"},
                         Case{"\"arc\"", "\"spline\"", "not a spline"},
                         Case{"\"cylinder\"", "\"cone\"", "not a cone"},
+                        Case{"\"door\",\n   \"number\": 1", "\"door\",\"number\": -5",
+                             "to 4294967295, not -5"},
                         Case{"\"radius\": 1.0", "\"radius\": -1.5", "-1.5"},
                         Case{"\"radius\": 1.0", "\"radius\": 1e999", "1e999"},
                         Case{"\"radius\": 1.0", "\"radius\": \"1\"", "number"},
@@ -172,12 +230,17 @@ TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)
   for (const char* text : {"", "x", "[]", "{}", "null", "{\"format\": 3}"})
     EXPECT_NE(refusalOf(text), "") << text;
   for (const char* member :
-       {"\"id\"", "\"floor\"", "\"boundary\"", "\"columns\"", "\"details\"",
-        "\"start\"", "\"centre\"", "\"counter_clockwise\"", "\"plane\"", "\"holes\"",
-        "\"inliers\"", "\"residual\"", "\"rooms\"", "\"at\""}) {
+       {"\"id\"", "\"floor\"", "\"boundary\"", "\"start\"", "\"centre\"",
+        "\"counter_clockwise\"", "\"plane\"", "\"rooms\"", "\"at\""}) {
     std::string text = floorplanToJson(refusalPlan());
     text.replace(text.find(member), std::string(member).size(), "\"elsewhere\"");
     EXPECT_NE(refusalOf(text), "") << member;
+  }
+  for (const char* member : {"\"columns\"", "\"details\"", "\"holes\"", "\"inliers\"",
+                             "\"residual\"", "\"walls\""}) {
+    std::string text = floorplanToJson(refusalPlan());
+    text.replace(text.find(member), std::string(member).size(), "\"elsewhere\"");
+    EXPECT_EQ(refusalOf(text), "") << member;
   }
 }
 
