@@ -49,13 +49,6 @@ TEST(Veils, EndNoAirWhereTheCeilingIsSeenThroughThem)
   EXPECT_NEAR(heightAt(scene, 1.5, 1.5, true), 2.45, 1e-9) << "up to the ceiling";
 }
 
-TEST(Veils, AreNoSurfacesAsDenseAsTheCeilingAboveThem)
-{
-  const AirScene scene = roomWithLayer(1);
-  EXPECT_NEAR(heightAt(scene, 1.5, 1.5, true), 1.95, 1e-9);
-  EXPECT_NEAR(heightAt(scene, 3, 2.5, true), 2.45, 1e-9);
-}
-
 TEST(Veils, AreNoHeadsOfOpeningsInThickWalls)
 {
   AirScene scene;

@@ -56,26 +56,6 @@ TEST(VoxelColumns, LoseStraysAndKeepTheEdgesOfSurfaces)
   EXPECT_EQ(kept.size() + 4, plane.size()) << "without its corners";
 }
 
-TEST(VoxelColumns, KeepAWallSeenSparselyBesideADenseHall)
-{
-  RoomPoints points(0.05);
-  for (const double z : {0.01, 2.51})
-    points.slab(rectangle(-12, 0, -1, 6), z);
-  points.wall(segment({1, 0.02}, {5, 0.02}), 0.01, 2.51, [](double s, double z) {
-    return (std::lround(s / 0.1 - 0.4) + std::lround(z / 0.05)) % 2 ==
-           0; // a draughtboard
-  });
-  VoxelColumns columns = columnsOf(points);
-  const Voxels before = voxelsOf(columns);
-  columns.keepSurfaces(1);
-  const Voxels after = voxelsOf(columns);
-  const auto ofWall = [](const Voxels& voxels) {
-    return std::count_if(voxels.begin(), voxels.end(),
-                         [](const Voxel& v) { return std::get<0>(v) >= 0; });
-  };
-  EXPECT_GT(ofWall(after), 0.9 * static_cast<double>(ofWall(before)));
-}
-
 TEST(VoxelColumns, ADenseSurfaceDoesNotMakeASparseScanDense)
 {
   RoomPoints points(0.05);
