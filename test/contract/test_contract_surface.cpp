@@ -27,7 +27,7 @@ public:
 
   ExtrusionAdaptor()
   {
-    parameter([this](double v) { stage_.setChordTolerance(v); }, 0.0005, {-1, 5, nan});
+    parameter([this](double v) { stage_.setChordTolerance(v); }, 0.00025, {-1, 5, nan});
   }
 
   void setInput(const Cloud::ConstPtr& cloud)

@@ -3,6 +3,7 @@
 #include "simulator/scene/scenes.h"
 #include "surface/drawing/drawn_plans.h"
 
+#include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/room_solid.h>
@@ -94,6 +95,21 @@ protected:
     EXPECT_GE(figures.mesh_to_truth->within_5cm, 0.98);
   }
 
+  /** @brief Expects the solid that programs make of the plan once it is a file. */
+  void expectSolid() const
+  {
+    using namespace pcl::sedr;
+    std::string problem;
+    pcl::FloorplanExtrusion<pcl::PointXYZ> read;
+    read.setFloorplan(
+        floorplanFromJson(floorplanToJson(*chain_.getFloorplan()), problem));
+    pcl::PolygonMesh unused;
+    read.reconstruct(unused);
+    const auto& solid = chain_.getStages().extrusion.getMesh();
+    EXPECT_EQ(read.getMesh().vertices, solid.vertices);
+    EXPECT_EQ(read.getMesh().triangles, solid.triangles);
+  }
+
   /** @brief Expects sections as long and as high as the plan is there, and elevations
    * as large as the walls of the solid, to a millimetre. */
   void expectDrawings() const
@@ -140,6 +156,7 @@ TEST_P(SimulatedScene, has_the_plan_the_structure_and_the_closed_mesh_that_were_
   expectPlan();
   expectStructure();
   expectMesh();
+  expectSolid();
   expectDrawings();
 }
 

@@ -32,8 +32,6 @@ middleOf(const StructureModel::Cloud& cloud)
 StructureChain::StructureChain()
 {
   stages_.voxel_grid.setRemoveStrays(true);
-  // In a round room, facets of 0.5 mm would dominate the distance from solid to truth.
-  stages_.extrusion.setChordTolerance(0.00025);
 }
 
 StructureChain::~StructureChain() = default;

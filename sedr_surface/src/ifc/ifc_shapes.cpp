@@ -7,7 +7,7 @@
 namespace pcl::sedr::ifc {
 namespace {
 
-constexpr double chord_tolerance = 0.0005; ///< as for the solid, metres
+const double chord_tolerance = SolidParameters().chord_tolerance; // metres
 
 std::vector<double>
 numbers(const Eigen::VectorXd& v)

@@ -155,12 +155,11 @@ linesOf(const Floorplan& plan,
         const WallHeights& heights,
         const std::vector<WallCut>& cuts)
 {
-  constexpr double chord = 0.0005; // metres
   Lines lines;
   for (const WallHeights::Top& top : heights.tops) // level beyond the first and last
     appendAcross(plan, wall, top.along, lines);
   for (const WallCut& cut : cuts) {
-    const std::vector<Eigen::Vector2d> corners = cut.plan.polygon(chord);
+    const std::vector<Eigen::Vector2d> corners = cut.plan.polygon(SolidParameters().chord_tolerance);
     for (std::size_t k = 0; k < corners.size(); ++k)
       lines.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
     const Eigen::Vector2d middle =

@@ -71,10 +71,10 @@ TEST(RoomSolid, AColumnIsATunnel)
   expectPiece(solid, (30 - round - 0.25) * 2.5, -2);
   EXPECT_EQ(solid.names().count("room_1_column_1_face_1"), 1u);
   EXPECT_NEAR(solid.areaOf("room_1_column_2_face_4"), 0.5 * 2.5, 1e-6);
-  EXPECT_EQ(
-      std::count(solid.mesh.labels.begin(), solid.mesh.labels.end(),
-                 static_cast<std::uint32_t>(StructureLabel::Column)),
-      8 + 2 * static_cast<std::ptrdiff_t>(circle({2, 2}, 0.35).polygon(0.0005).size()));
+  const auto chords = circle({2, 2}, 0.35).polygon(SolidParameters().chord_tolerance);
+  EXPECT_EQ(std::count(solid.mesh.labels.begin(), solid.mesh.labels.end(),
+                       static_cast<std::uint32_t>(StructureLabel::Column)),
+            8 + 2 * static_cast<std::ptrdiff_t>(chords.size()));
 }
 
 TEST(RoomSolid, ASoffitAtAWall)

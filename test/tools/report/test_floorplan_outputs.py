@@ -25,7 +25,7 @@ from plan_samples import arc, rectangle, room, segment, slab
 
 EXTRUSION, DRAWING = sys.argv[1:3]
 SVG = "{http://www.w3.org/2000/svg}"
-CHORD = 0.0005
+CHORD = 0.00025
 HALL_HEIGHT = 3.0
 CELL_HEIGHT = 2.5
 

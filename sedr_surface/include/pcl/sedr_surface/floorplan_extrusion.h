@@ -56,7 +56,7 @@ public:
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
   /** @brief Sets the maximum distance of facets from their arc, metres, 1e-6 to 1.
-   * Default 0.0005, which is 0.3 mm on average for a round wall. */
+   * Default 0.00025, which is 0.15 mm on average for a round wall. */
   void setChordTolerance(double tolerance) { parameters_.chord_tolerance = tolerance; }
   double getChordTolerance() const { return parameters_.chord_tolerance; }
 

@@ -15,7 +15,7 @@ namespace pcl::sedr {
 
 /** @brief Parameters of extrudeRoom(). */
 struct SolidParameters {
-  double chord_tolerance = 0.0005; ///< distance of facets from their arc, metres
+  double chord_tolerance = 0.00025; ///< distance of facets from their arc, metres
   bool cut_openings = false;       ///< of a plan: see FloorplanExtrusion
 };
 
