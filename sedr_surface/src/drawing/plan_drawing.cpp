@@ -152,7 +152,10 @@ titleTextsOf(const PlanDrawing& drawing)
           explains(PlanLayer::Contour, " Thin: contour lines.") +
           explains(PlanLayer::Guess, " Grey, dashed: walls inferred, not measured.") +
           explains(PlanLayer::Outside, " Outer walls as thick as their reveals.") +
-          (are_assumed ? " Light: thickness of the wall assumed." : "")};
+          (are_assumed ? " Light: thickness of the wall assumed." : "") +
+          (drawing.texts.unplaced.empty()
+               ? ""
+               : " No space for the number of " + drawing.texts.unplaced + ".")};
 }
 
 } // namespace
@@ -311,6 +314,8 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
     sheet.add(text.text);
   for (const SheetDimension& wall : drawing.texts.walls)
     sheet.add(*wall.text);
+  for (const PlanElement& leader : drawing.texts.leaders)
+    painter.addLine(styleOf(PlanLayer::Dimension).line, leader);
   sheet.add(SheetGroup{"dimensions"});
   addDimensions(sheet, drawing.dimensions);
   sheet.add(SheetGroup{"title"});

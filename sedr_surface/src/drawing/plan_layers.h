@@ -83,7 +83,7 @@ inline const std::array<LayerStyle, 22> layer_styles{
      {"A-SECT-BYND", 8, false, {no_colour, 0x777777, 0.18}, 0x777777},
      {"A-AREA-IDEN", 7, false, {}, ink},
      {"A-CLNG-IDEN", 5, false, {}, looks::blue},
-     {"A-ANNO-DIMS", 8, false, {}, 0x444444},
+     {"A-ANNO-DIMS", 8, false, {no_colour, 0x444444, 0.13}, 0x444444},
      {"A-WALL-IDEN", 9, false, {}, 0x8a8a8a},
      {"A-WALL-UNSN", 9, false, {no_colour, 0x9a9a9a, 0.13}, ink},
      {"A-ANNO-SECT", 1, false, {no_colour, ink, 0.5}, ink},

@@ -9,6 +9,7 @@
 
 #include "sedr_filters/src/plan/level_planes.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
@@ -183,12 +184,12 @@ public:
   {
     const std::string text = textOf(opening);
     const Eigen::Vector2d half = detail_font * halfSizeOf({text});
+    const Eigen::Vector2d middle =
+        (frame_(opening.corners[0]) + frame_(opening.corners[2])) / 2;
     std::vector<TextBox> boxes;
     for (const std::size_t k : {2U, 0U}) {
       const Eigen::Vector2d a = frame_(opening.corners[k]);
       const Eigen::Vector2d b = frame_(opening.corners[k + 1]);
-      const Eigen::Vector2d middle =
-          (frame_(opening.corners[0]) + frame_(opening.corners[2])) / 2;
       const Eigen::Vector2d way = (b - a).normalized();
       Eigen::Vector2d off(way.y(), -way.x());
       if (off.dot((a + b) / 2 - middle) < 0)
@@ -199,9 +200,27 @@ public:
     }
     if (addFirst(PlanLayer::Dimension, boxes, detail_font, text))
       return;
+    const Eigen::Vector2d half_mark = detail_font * halfSizeOf({opening.mark});
     for (TextBox& box : boxes)
-      box.half_size = detail_font * halfSizeOf({opening.mark});
-    addFirst(PlanLayer::Dimension, boxes, detail_font, opening.mark);
+      box.half_size = half_mark;
+    if (addFirst(PlanLayer::Dimension, boxes, detail_font, opening.mark))
+      return;
+    boxes.clear();
+    for (double off = 4; off <= 20; off += 2) // millimetres
+      for (int turn = 0; turn < 8; ++turn)
+        boxes.push_back(
+            {middle + Eigen::Rotation2Dd(turn * M_PI_4) * Eigen::Vector2d(off, 0),
+             half_mark, 0});
+    if (const auto box =
+            addFirst(PlanLayer::Dimension, boxes, detail_font, opening.mark)) {
+      const Eigen::Vector2d low = box->middle - half_mark;
+      const Eigen::Vector2d end =
+          middle.cwiseMax(low).cwiseMin(box->middle + half_mark);
+      places_.keepOff(middle, end);
+      found.leaders.push_back(segment(frame_.toPlan(middle), frame_.toPlan(end)));
+    }
+    else
+      found.unplaced += (found.unplaced.empty() ? "" : ", ") + opening.mark;
   }
 
   /** @brief Writes the length of a segment, as a dimension, or the radius of an arc. */

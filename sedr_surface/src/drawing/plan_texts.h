@@ -21,6 +21,8 @@ struct PlanText {
 struct PlanTexts {
   std::vector<PlanText> texts;
   std::vector<SheetDimension> walls; ///< lengths on straight walls
+  std::vector<PlanElement> leaders;  ///< from openings to their numbers; in the plan
+  std::string unplaced;              ///< numbers of openings without space
 };
 
 /** @brief Which texts a plan has. */
@@ -32,7 +34,8 @@ struct PlanTextSettings {
 
 /** @brief Places the texts within a plan by importance: rooms, stairs, heights of
  * details, notes of lines, eaves, columns, openings, walls. They overlap neither each
- * other nor what is occupied; one without space is shortened or left out.
+ * other nor what is occupied; one without space is shortened or left out, the number of
+ * an opening at the end of a leader.
  * @param surfaces of each room
  * @param frame maps the plan to the sheet */
 PlanTexts placedTexts(const Floorplan& plan,

@@ -62,6 +62,8 @@ public:
     for (const PlanText& text : drawing.texts.texts)
       model_.label(styleOf(text.layer).dxf_name, frame_.toPlan(text.text.place),
                    heightOf(text.text.font), text.text.text, degreesInPlan(text.text));
+    for (const PlanElement& leader : drawing.texts.leaders)
+      model_.element(styleOf(PlanLayer::Dimension).dxf_name, leader);
     for (const auto* dimensions : {&drawing.dimensions, &drawing.texts.walls})
       for (const SheetDimension& dimension : *dimensions)
         addDimension(dimension);

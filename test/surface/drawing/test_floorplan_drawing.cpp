@@ -299,6 +299,30 @@ TEST(FloorplanDrawing, TextsWithoutSpaceAreLeftOut)
   EXPECT_TRUE(holds(svgOf(planOf(rectangle(0, 0, 6, 5)), scaled(100)), ">Room 1<"));
 }
 
+TEST(FloorplanDrawing, NumbersOfCrowdedOpeningsStandAtLeadersOrTheNotesTellThem)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 6, 5));
+  const auto stack = [&](std::size_t count) {
+    plan.openings.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto z = 0.01 * static_cast<double>(k);
+      plan.openings[k] = {OpeningKind::Window, {1, 0}, {{1, 0}}, {3, -0.1},
+                          {3.4, -0.1},         z,      z + 0.01};
+    }
+  };
+  stack(8); // two rows of text fit on either side
+  const PlanDrawing drawing(plan, scaled(100), 0);
+  EXPECT_EQ(drawing.texts.leaders.size(), 4u);
+  for (const PlanElement& leader : drawing.texts.leaders)
+    EXPECT_NEAR((leader.start - Eigen::Vector2d(3.2, -0.1)).norm(), 0, 1e-9);
+  for (int k = 1; k <= 8; ++k)
+    EXPECT_TRUE(holds(svgOf(plan, scaled(100)), ">W" + std::to_string(k) + "<")) << k;
+  EXPECT_FALSE(holds(svgOf(plan, scaled(100)), "No space"));
+  EXPECT_EQ(lineLength("A-ANNO-DIMS", dxfOf(plan, scaled(100))) > 0, true);
+  stack(90);
+  EXPECT_TRUE(holds(svgOf(plan, scaled(100)), "No space for the number of W"));
+}
+
 TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
 {
   Floorplan plan = twoStoreys(-0.5);

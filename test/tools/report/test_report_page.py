@@ -563,6 +563,13 @@ class OtherReportsInABrowser(BrowserCase):
         self.make("--scan", self.scan, *WITHOUT_MODEL)
         self.assertIn("Nothing stands out", self.words(self.open(), "#check"))
 
+    def test_a_room_without_a_mesh_counts_as_neither_closed_nor_open(self):
+        report = sample_report()
+        report["rooms"][0]["mesh"] = None
+        self.write("report.json", report)
+        self.make("--scan", self.scan, *WITHOUT_MODEL)
+        self.assertIn("closed meshes1 of 1", self.open().run("document.getElementById('figures').textContent"))
+
     def test_figures_of_another_plan_are_left_out_and_the_page_says_so(self):
         report = sample_report()
         report["rooms"][0]["area"] += 1

@@ -23,8 +23,8 @@
       if (storeys.length > 1) figures.push(['storeys', storeys.length]);
       figures.push(['floor area', number(sum(rooms, room => room.area), 1) + '\u00a0m²'],
         ['volume', number(sum(rooms, room => room.volume), 1) + '\u00a0m³']);
-      if (rooms[0].mesh) figures.push(['closed meshes',
-        rooms.filter(room => room.mesh && room.mesh.closed_manifold).length + ' of ' + rooms.length]);
+      const meshes = rooms.map(room => room.mesh).filter(Boolean); // an edited room has none
+      if (meshes.length) figures.push(['closed meshes', meshes.filter(mesh => mesh.closed_manifold).length + ' of ' + meshes.length]);
     }
     if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
       ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
