@@ -261,6 +261,25 @@ TEST_F(StoreyDrawings, OfARoomThatCrossesItselfAreDoubted)
       << result.err;
 }
 
+TEST_F(StoreyDrawings, OfRoomsAndColumnsAtOnePlaceAreDoubted)
+{
+  pcl::sedr::Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 6, 4), 2.5, 7),
+                roomOf(rectangle(2, 1, 4, 3), 2, 8),
+                roomOf(rectangle(0, 0, 6, 4), 5, 9)};
+  plan.rooms[2].floor = slabAt(2.8);
+  for (const double x : {0.5, 1.0, 5.5})
+    plan.rooms[0].columns.push_back(reversed(rectangle(x, 1, x + 1, 2)));
+  plan.rooms[1].columns = {reversed(rectangle(3, 2, 3.5, 2.5))};
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
+  const std::string told = draw({}).err;
+  for (const char* words : {"room 7 and room 8 overlap by 7.5 m3",
+                            "column 3 of room 7 reaches out of it by 0.5 m2",
+                            "column 1 of room 7 and its column 2 overlap by 0.5 m2"})
+    EXPECT_NE(told.find(words), std::string::npos) << told;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 3) << told;
+}
+
 TEST_F(StoreyDrawings, MayHaveAnEmptyTitle)
 {
   const ProgramRun result = draw({"--title", ""});

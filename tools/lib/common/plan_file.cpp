@@ -7,6 +7,8 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/editing/plan_outlines.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/room_lookup.h"
@@ -54,14 +56,64 @@ roomAt(const std::vector<RoomLookup>& rooms,
   return nearest;
 }
 
-/** @brief Warns of rooms whose outline crosses itself: parts of them are lost. */
-void
-warnOfCrossings(const Floorplan& plan)
+/** @brief Returns what two rooms have in common, cubic metres, by samples in plan. */
+double
+commonVolume(const PlanRoom& a, const PlanRoom& b)
 {
-  for (const PlanRoom& room : plan.rooms)
+  constexpr double most_samples = 1e4;
+  const Eigen::AlignedBox2d box =
+      boundsOf(a.boundary).intersection(boundsOf(b.boundary));
+  if (box.isEmpty() || commonArea(a, b) == 0)
+    return 0;
+  const RoomLookup one(a);
+  const RoomLookup two(b);
+  const double step = std::sqrt(box.volume() / most_samples);
+  double volume = 0;
+  for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step)
+      if (const Eigen::Vector2d p(x, y); one.contains(p) && two.contains(p))
+        volume += step * step *
+                  std::max(std::min(one.ceilingAt(p), two.ceilingAt(p)) -
+                               std::max(one.floorAt(p), two.floorAt(p)),
+                           0.0);
+  return volume;
+}
+
+/** @brief Warns of outlines that cross themselves and of what is at one place: what is
+ * made of such a plan is wrong there. */
+void
+warnOfContradictions(const Floorplan& plan)
+{
+  const auto tell = [](const std::string& what, double size, const char* unit) {
+    constexpr double negligible = 0.1; // square or cubic metres
+    if (size > negligible)
+      warn(what + formatText(" by %.1f ", size) + unit +
+           ": areas and volumes are wrong by that, and what is made of them");
+  };
+  const auto areaWithin = [](const PlanLoop& boundary) {
+    PlanRoom room;
+    room.boundary = boundary;
+    return room;
+  };
+  for (const PlanRoom& room : plan.rooms) {
+    const std::string name = "room " + std::to_string(room.id);
     if (const std::string problem = outlineProblem(room.boundary); !problem.empty())
-      warn("the outline of room " + std::to_string(room.id) + " " + problem +
+      warn("the outline of " + name + " " + problem +
            ": its area and what is made of it are wrong");
+    for (const PlanRoom& other : plan.rooms)
+      if (other.id > room.id)
+        tell(name + " and room " + std::to_string(other.id) + " overlap",
+             commonVolume(room, other), "m3");
+    for (std::size_t i = 0; i < room.columns.size(); ++i) {
+      const PlanRoom column = areaWithin(reversed(room.columns[i]));
+      const std::string which = "column " + std::to_string(i + 1) + " of " + name;
+      tell(which + " reaches out of it",
+           column.area() - commonArea(column, areaWithin(room.boundary)), "m2");
+      for (std::size_t j = i + 1; j < room.columns.size(); ++j)
+        tell(which + " and its column " + std::to_string(j + 1) + " overlap",
+             commonArea(column, areaWithin(reversed(room.columns[j]))), "m2");
+    }
+  }
 }
 
 } // namespace
@@ -89,7 +141,7 @@ loadPlan(const std::string& path)
     throw ToolError("'" + path + "': " + problem);
   if (document.plan.rooms.empty())
     throw ToolError("the floor plan '" + path + "' has no rooms", NothingFound);
-  warnOfCrossings(document.plan);
+  warnOfContradictions(document.plan);
   return document;
 }
 
