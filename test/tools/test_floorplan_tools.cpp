@@ -131,7 +131,8 @@ TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
   const std::string file = (folder.path() / "plan.json").string();
   const std::string solid = (folder.path() / "solid.ply").string();
   const auto good = roomOf(rectangle(0, 0, 5, 4), 2.5, 1);
-  const auto bad = roomOf(rectangle(6, 0, 9, 4), -1, 2);
+  auto bad = roomOf(rectangle(6, 0, 9, 4), 2.5, 2);
+  bad.columns = {reversed(rectangle(6, 0, 9, 4))};
   writeFile(file, pcl::sedr::floorplanToJson({{good, bad}}));
   ProgramRun result = run(FLOORPLAN_EXTRUSION, {file, solid});
   EXPECT_EQ(result.exit_code, 0);
@@ -355,11 +356,14 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--remove", "column 1"},
                               {"--floor", "1"},
                               {"--ceiling", "1=high"},
+                              {"--floor", "1=nan"},
+                              {"--name", "1=K\xfc"},
                               {"--storey", "2.8"},
                               {"--merge", "1,9"}}) {
     const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
     expectSentence(refused, 1, edit[0]);
-    const bool is_of_editor = edit[1] == "1,9" || edit[1] == "D1,hinge=top";
+    const bool is_of_editor =
+        edit[1] == "1,9" || edit[1] == "D1,hinge=top" || edit[1] == "1=K\xfc";
     EXPECT_EQ(refused.err.find(" wants ") == std::string::npos, is_of_editor);
     EXPECT_FALSE(std::filesystem::exists(output));
   }

@@ -70,8 +70,9 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
   opening.kind = kind;
   const double width = to.width.value_or(opening.width());
   const double height = to.height.value_or(opening.height());
-  if (!(width > 0 && height > 0))
-    return formatText("an opening of %.3f x %.3f m is none", width, height);
+  if (!(std::min(width, height) >= exact))
+    return formatText("an opening is at least %.2f m wide and high, not %g x %g m",
+                      exact, width, height);
   const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
   const Eigen::Vector2d half = width / 2 * (opening.end - opening.start).normalized();
   opening.start = middle - half;

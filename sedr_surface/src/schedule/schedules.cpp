@@ -127,10 +127,15 @@ const std::vector<Column<WallRow>> wall_columns{
     {"net_area_m2", [](const WallRow& w) { return measure(w.net_area); }},
     {"measured_percent", [](const WallRow& w) { return percent(w.measured); }}};
 
-/** @brief Quotes a field that has a comma, a quote or the end of a line. */
+/** @brief Quotes a field that has a comma, a quote or the end of a line. A text that
+ * spreadsheets would take as a formula gets an apostrophe before it. */
 std::string
 fieldOf(std::string text)
 {
+  if (const std::string number = text.substr(text[0] == '-' ? 1 : 0);
+      text.find_first_of("=+-@\t\r") == 0 &&
+      number.find_first_not_of("0123456789.") != std::string::npos)
+    text.insert(0, "'");
   if (text.find_first_of(",\"\r\n") == std::string::npos)
     return text;
   boost::replace_all(text, "\"", "\"\"");

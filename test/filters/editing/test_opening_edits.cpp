@@ -84,7 +84,10 @@ TEST(PlanEditor, AnOpeningGetsAnotherSizeAboutItsMiddle)
             "opening would from 1.500 to 2.700 m");
   change.width = -0.8;
   EXPECT_EQ(refusal(editor.setOpening("D1", change), editor),
-            "an opening of -0.800 x 1.200 m is none");
+            "an opening is at least 0.01 m wide and high, not -0.8 x 1.2 m");
+  change.width = 0.0001;
+  EXPECT_EQ(refusal(editor.setOpening("D1", change), editor),
+            "an opening is at least 0.01 m wide and high, not 0.0001 x 1.2 m");
 }
 
 TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)

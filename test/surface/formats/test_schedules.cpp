@@ -78,6 +78,10 @@ TEST(Schedules, CsvQuotesWhatNeedsIt)
                             {"id", "name"},
                             {{"1", "hall"}, {"2", "Bad, \"blau\""}}};
   EXPECT_EQ(csvOf(table), "id,name\r\n1,hall\r\n2,\"Bad, \"\"blau\"\"\"\r\n");
+  const ScheduleTable formulas{"rooms",
+                               {"a", "b"},
+                               {{"=1+2", "-0.250"}, {"@SUM(A1)", ""}}};
+  EXPECT_EQ(csvOf(formulas), "a,b\r\n'=1+2,-0.250\r\n'@SUM(A1),\r\n");
 }
 
 TEST(Schedules, TablesHaveARowForEachOfTheirRows)

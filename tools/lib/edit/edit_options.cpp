@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -52,7 +53,7 @@ public:
       const std::string text = next();
       char* rest = nullptr;
       const double length = std::strtod(text.c_str(), &rest);
-      require(rest != text.c_str() && *rest == 0);
+      require(rest != text.c_str() && *rest == 0 && std::isfinite(length));
       return length;
     }
     else if constexpr (std::is_same_v<Part, Eigen::Vector2d>) {
