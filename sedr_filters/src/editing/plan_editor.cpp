@@ -250,6 +250,10 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
              heightText(*second);
     std::vector<PlanLoop> areas = wallsBetween(plan, first, *second, max_wall_);
     const std::size_t walls = areas.size();
+    std::vector<Eigen::Vector2d> ends; // of the walls
+    for (const PlanLoop& wall : areas)
+      for (const PlanElement& side : wall.elements)
+        ends.push_back(side.start);
     for (const PlanRoom* part : {&first, &*second}) {
       areas.push_back(part->boundary);
       areas.insert(areas.end(), part->columns.begin(), part->columns.end());
@@ -279,8 +283,10 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
                         second->niches.end());
     first.columns.clear();
     for (const PlanLoop& loop : loops)
-      if (loop.area() > 0)
+      if (loop.area() > 0) {
         first.boundary = loop;
+        simplify(first.boundary, ends);
+      }
       else if (isColumn(loop))
         first.columns.push_back(loop);
     renumber(plan, other, room);

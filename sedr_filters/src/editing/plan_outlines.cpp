@@ -222,8 +222,16 @@ outlineProblem(const PlanLoop& loop)
 }
 
 void
-simplify(PlanLoop& loop)
+simplify(PlanLoop& loop, const std::vector<Eigen::Vector2d>& loose)
 {
+  constexpr double in_line = 0.01; // metres
+  const auto toleranceAt = [&](const Eigen::Vector2d& corner) {
+    return std::any_of(
+               loose.begin(), loose.end(),
+               [&](const Eigen::Vector2d& p) { return (p - corner).norm() < touching; })
+               ? in_line
+               : touching;
+  };
   auto& e = loop.elements;
   e.erase(
       std::remove_if(e.begin(), e.end(),
@@ -231,12 +239,13 @@ simplify(PlanLoop& loop)
       e.end());
   for (std::size_t k = 0; e.size() > 3 && k < e.size();) {
     PlanElement& next = e[(k + 1) % e.size()];
-    const Eigen::Vector2d way = (e[k].end - e[k].start).normalized();
+    const Eigen::Vector2d way = (next.end - e[k].start).normalized();
     const bool is_one_circle = e[k].isArc() && next.isArc() &&
                                e[k].radius == next.radius && e[k].centre == next.centre;
-    const bool is_one_line = !e[k].isArc() && !next.isArc() &&
-                             std::abs(cross(way, next.end - e[k].start)) <= touching &&
-                             way.dot(next.end - next.start) >= 0;
+    const bool is_one_line =
+        !e[k].isArc() && !next.isArc() &&
+        std::abs(cross(way, next.start - e[k].start)) <= toleranceAt(next.start) &&
+        (e[k].end - e[k].start).dot(next.end - next.start) >= 0;
     if (e[k].tilt != next.tilt || !(is_one_circle || is_one_line)) {
       ++k;
       continue;

@@ -23,8 +23,8 @@ void setByHand(PlanSlab& slab);
 std::optional<Eigen::Vector2d> crossing(const PlanElement& a, const PlanElement& b);
 
 /** @brief Joins neighbours on one line or circle and drops elements without a length.
- */
-void simplify(PlanLoop& loop);
+ * @param loose corners that may lie up to a centimetre off the line */
+void simplify(PlanLoop& loop, const std::vector<Eigen::Vector2d>& loose = {});
 
 /** @brief Makes neighbours meet again after some of them were moved: `lines` are
  * the elements' new lines. Walls that would run backwards vanish if the outline would

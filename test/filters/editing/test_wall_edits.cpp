@@ -120,15 +120,20 @@ TEST(PlanEditor, TiltsStay)
             1);
 }
 
-TEST(PlanEditor, WhatIsLeftOfAWallIsNoWallOfMillimetres)
+TEST(PlanEditor, WallsInLineBeyondOneThatIsTakenOutBecomeOne)
 {
   Floorplan plan = twoRooms(); // faces that were fitted by themselves
   plan.rooms[1].boundary = rectangle(4.2, 0.0038, 6.2, 2.995);
   PlanEditor editor(plan);
   ASSERT_TRUE(done(editor.merge(1, 2), editor));
-  for (const PlanElement& wall : editor.getFloorplan().rooms[0].boundary.elements)
-    EXPECT_GT(wall.length(), 0.1);
-  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6.2 * 3, 0.02);
+  const PlanRoom& merged = editor.getFloorplan().rooms[0];
+  EXPECT_EQ(merged.boundary.elements.size(), 4u);
+  EXPECT_NEAR(merged.area(), 6.2 * (3 + 2.995 - 0.0038) / 2, 1e-6);
+
+  plan.rooms[1].boundary = rectangle(4.2, 0.03, 6.2, 3); // a jog of 3 cm is one
+  PlanEditor jogged(plan);
+  ASSERT_TRUE(done(jogged.merge(1, 2), jogged));
+  EXPECT_EQ(jogged.getFloorplan().rooms[0].boundary.elements.size(), 6u);
 }
 
 TEST(PlanEditor, NichesAndOpeningsTurnWithTheirWall)
