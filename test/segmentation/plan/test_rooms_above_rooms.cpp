@@ -5,12 +5,11 @@
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
-#include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
+#include <memory>
 
 namespace {
 
@@ -136,16 +135,6 @@ TEST(RoomsAboveRooms, AReliefThatRisesThroughThemEndsAtThem)
   EXPECT_NEAR(plan.rooms[0].details[0].slab.inferred, 0.75, 1e-9);
 }
 
-TEST(RoomsAboveRooms, AFacetInOneOfTheirShaftsStays)
-{
-  // The shaft is the facet but for 5 cm all around.
-  Floorplan plan = hallBelowGallery();
-  plan.rooms[1].boundary = rectangle(0, 0, 6, 4);
-  plan.rooms[1].columns = {reversed(rectangle(4.05, 0.05, 5.95, 3.95))};
-  endBelowRoomsAbove(plan, Priors());
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 5, 1e-9);
-}
-
 TEST(RoomsAboveRooms, APieceOfAFacetBesideStripsStays)
 {
   // Of 20 x 4 m a shaft of 0.8 x 0.8 m is left, and 2 cm all along both sides.
@@ -157,32 +146,6 @@ TEST(RoomsAboveRooms, APieceOfAFacetBesideStripsStays)
   endBelowRoomsAbove(plan, Priors());
   EXPECT_NEAR(plan.rooms[0].ceilingAt({4.4, 3.4}), 5, 1e-9);
   EXPECT_NEAR(plan.rooms[0].ceilingAt({9, 2}), 2.69, 1e-9);
-}
-
-TEST(RoomsAboveRooms, LeaveTheirShaftsToTheRoomBelow)
-{
-  // within the roof, over its edge, over the gallery's edge, wider than the roof
-  for (const Eigen::AlignedBox2d& shaft :
-       {Eigen::AlignedBox2d(Eigen::Vector2d(4.2, 1), Eigen::Vector2d(4.6, 3)),
-        Eigen::AlignedBox2d(Eigen::Vector2d(3.5, 1), Eigen::Vector2d(4.6, 3)),
-        Eigen::AlignedBox2d(Eigen::Vector2d(4.2, 1), Eigen::Vector2d(5.1, 3)),
-        Eigen::AlignedBox2d(Eigen::Vector2d(3.98, -0.1), Eigen::Vector2d(4.98, 4.1))})
-    for (std::size_t first = 0; first < 4; ++first) {
-      Floorplan plan = hallBelowGallery();
-      PlanLoop loop = reversed(rectangle(shaft.min().x(), shaft.min().y(),
-                                         shaft.max().x(), shaft.max().y()));
-      std::rotate(loop.elements.begin(),
-                  loop.elements.begin() + static_cast<std::ptrdiff_t>(first),
-                  loop.elements.end());
-      plan.rooms[1].columns = {loop};
-      endBelowRoomsAbove(plan, Priors());
-      const PlanRoom& hall = plan.rooms[0];
-      EXPECT_NEAR(hall.ceilingAt({4.4, 2}), 5, 1e-9) << shaft.min().transpose();
-      EXPECT_NEAR(hall.ceilingAt({1, 2}), 2.5, 1e-9);
-      const bool is_whole = shaft.min().y() < 0; // but a strip of 2 cm
-      EXPECT_NEAR(hall.ceilingAt({4.1, 0.5}), is_whole ? 5 : 2.69, 1e-9);
-      EXPECT_EQ(hall.details.size(), is_whole ? 1u : 2u);
-    }
 }
 
 TEST(RoomsAboveRooms, TheLowestOfThemCounts)
@@ -199,15 +162,6 @@ TEST(RoomsAboveRooms, TheLowestOfThemCounts)
   }
 }
 
-TEST(RoomsAboveRooms, AndTheLowestPartOfTheirFloors)
-{
-  Floorplan plan = hallBelowGallery();
-  plan.rooms[1].floor_details = {roofOver(rectangle(4.5, 1, 5, 3), 2.6, 0)};
-  endBelowRoomsAbove(plan, Priors());
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.2, 2}), 2.69, 1e-9);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.8, 2}), 2.59, 1e-9);
-}
-
 TEST(RoomsAboveRooms, RaiseNoCeiling)
 {
   // It rises from 2.2 to 3.2 m and crosses the floor above.
@@ -221,35 +175,6 @@ TEST(RoomsAboveRooms, RaiseNoCeiling)
     EXPECT_NEAR(plan.rooms[0].ceilingAt({x, 2}),
                 std::min(before.ceilingAt({x, 2}), 2.69), 1e-9)
         << x;
-}
-
-TEST(RoomsAboveRooms, TheirPartsAreTheSameInTheFile)
-{
-  Floorplan plan = hallBelowGallery();
-  PlanDetail skylight = roofOver(rectangle(4.2, 1, 5.8, 3), 6, 0);
-  skylight.is_facet = false;
-  plan.rooms[0].details.push_back(skylight);
-  endBelowRoomsAbove(plan, Priors());
-  std::string problem;
-  const Floorplan read = floorplanFromJson(floorplanToJson(plan), problem);
-  ASSERT_EQ(problem, "");
-  ASSERT_EQ(read.rooms[0].details.size(), 4u);
-  for (double x = 0.05; x < 6; x += 0.1)
-    EXPECT_NEAR(read.rooms[0].ceilingAt({x, 2}), plan.rooms[0].ceilingAt({x, 2}), 1e-9)
-        << x;
-  for (std::size_t d = 0; d < 4; ++d)
-    EXPECT_EQ(read.rooms[0].details[d].slab.inferred,
-              plan.rooms[0].details[d].slab.inferred);
-}
-
-TEST(RoomsAboveRooms, LeaveCeilingsBelowTheirFloorsAlone)
-{
-  for (const double shift : {0.0, 0.3}) {
-    Floorplan plan = twoStoreys(shift);
-    endBelowRoomsAbove(plan, Priors());
-    for (const PlanRoom& room : plan.rooms)
-      EXPECT_TRUE(room.details.empty()) << shift;
-  }
 }
 
 } // namespace

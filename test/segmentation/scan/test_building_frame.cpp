@@ -58,14 +58,4 @@ TEST(BuildingFrame, IsUndoneExactly)
   EXPECT_NEAR(back.yaw(), -frame.yaw(), 1e-12);
 }
 
-TEST(BuildingFrame, OfNoWallsIsThatOfTheScan)
-{
-  RoomPoints floor(0.05, 0);
-  floor.slab(rectangle(0, 0, 4, 3), 0);
-  for (const auto& frame : {findBuildingFrame(floor.view()), findBuildingFrame({})}) {
-    EXPECT_TRUE(frame.rotation.isIdentity());
-    EXPECT_TRUE(frame.origin.isZero());
-  }
-}
-
 } // namespace

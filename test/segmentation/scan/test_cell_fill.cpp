@@ -27,35 +27,6 @@ scattered(double density, double size, double x0 = -2, double y0 = -1)
   return CellSet(std::move(keys));
 }
 
-CellSet
-full(std::int32_t width, std::int32_t height)
-{
-  std::vector<CellKey> keys;
-  for (std::int32_t y = 0; y < height; ++y)
-    for (std::int32_t x = 0; x < width; ++x)
-      keys.push_back(keyOf({x, y}));
-  return CellSet(std::move(keys));
-}
-
-TEST(CellSize, IsNotChangedByWhatHidesALargePart)
-{
-  const CellSet ceiling = full(100, 60);
-  std::vector<CellKey> seen;
-  for (const CellKey key : ceiling.keys()) {
-    const Cell cell = cellOf(key);
-    if (cell.x % 25 > 9 || cell.y % 25 > 9)
-      seen.push_back(key);
-  }
-  EXPECT_EQ(0.05, cellSizeFor({CellSet(std::move(seen))}, 0.05));
-}
-
-TEST(CellSize, IsNotChangedByGhostsLargerThanTheCeiling)
-{
-  const std::vector<CellSet> ceilings{full(100, 80), scattered(100, 0.05, 20, 1),
-                                      scattered(100, 0.05, 30, 1)};
-  EXPECT_EQ(0.05, cellSizeFor(ceilings, 0.05));
-}
-
 TEST(CellSize, GrowsForASparseThirdOfAScanOnlyWhereTheRestIsNotFilled)
 {
   // 1000 points per square metre fill 92 % of the cells of 5 cm, 2200 fill 99.6 %.

@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 namespace {
 
@@ -57,79 +55,12 @@ TEST(ScanTilt, IsThatOfASmallRoomToo)
   }
 }
 
-TEST(ScanTilt, SlopingSlabsBetweenVerticalWallsAreNone)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
-  for (const double degrees : {0.5, 1.5, 6.0, 20.0}) {
-    room.ceiling = slabAt(2.4, std::tan(degrees * degree));
-    const RoomPoints sloping = turned(room, about({1, 0, 0}, 0), 0.005);
-    EXPECT_EQ(tiltOf(sloping.view(), sloping.all()).angle, 0);
-    room.floor = slabAt(0, std::tan(degrees * degree)); // a ramp as well
-    const RoomPoints ramp = turned(room, about({1, 0, 0}, 0), 0.005);
-    EXPECT_EQ(tiltOf(ramp.view(), ramp.all()).angle, 0);
-    room.floor = slabAt(0);
-  }
-}
-
-TEST(ScanTilt, ARoofDownToTheFloorIsNone)
-{
-  // Slopes of 43 degrees, square to each other but for 4 degrees, and to the gables.
-  const double rise = std::tan(43 * degree);
-  RoomPoints attic;
-  for (double x = 0.025; x < 6; x += 0.05)
-    for (double y = 0.025; y < 4; y += 0.05) {
-      attic.point(x, y, 0);
-      attic.point(x, y, rise * std::min(y, 4 - y));
-    }
-  for (double y = 0.025; y < 4; y += 0.05)
-    for (double z = 0.025; z < rise * std::min(y, 4 - y); z += 0.05)
-      for (const double x : {0.0, 6.0})
-        attic.point(x, y, z);
-  EXPECT_EQ(tiltOf(attic.view(), attic.all()).angle, 0);
-}
-
-TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
-{
-  // All walls are tilted by 1.5 degrees in the same direction: the room is sheared.
-  RoomPoints room(0.05, 0.003);
-  room.room(rectangle(0, 0, 6, 4), 0, 2.5);
-  RoomPoints sheared;
-  for (const int i : room.all())
-    sheared.point(room[i].x() + std::tan(1.5 * degree) * room[i].z(), room[i].y(),
-                  room[i].z());
-  EXPECT_EQ(tiltOf(sheared.view(), sheared.all()).angle, 0);
-}
-
 TEST(ScanTilt, ALevelScanHasNoneAndNorHasNothing)
 {
   const RoomPoints points =
       turned(roomOf(rectangle(0, 0, 6, 4), 2.5), about({1, 0, 0}, 0.15), 0.02);
   EXPECT_EQ(tiltOf(points.view(), points.all()).angle, 0);
   EXPECT_EQ(tiltOf(PointView(), {}).angle, 0);
-}
-
-TEST(ScanTilt, IsTheSameForAnyNumberOfThreads)
-{
-  // Every block has only a few points of each patch; the others are not finite.
-  const RoomPoints room =
-      turned(roomOf(rectangle(0, 0, 6, 4), 2.5), about({0.6, -0.8, 0}, 7), 0.01);
-  const auto size = static_cast<int>(room.size());
-  constexpr int apart = 40;
-  constexpr int stride = 7919; // prime
-  RoomPoints points;
-  for (int k = 0; k < size; ++k) {
-    const Eigen::Vector3d p =
-        room[static_cast<int>(std::int64_t{k} * stride % size)].cast<double>();
-    points.point(p.x(), p.y(), p.z());
-    for (int i = 1; i < apart; ++i)
-      points.point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  }
-  const ScanTilt one = tiltOf(points.view(), points.all(), 1);
-  const ScanTilt three = tiltOf(points.view(), points.all(), 3);
-  EXPECT_NEAR(one.angle * 180 / M_PI, 7, 0.2);
-  EXPECT_EQ(one.up, three.up);
-  EXPECT_EQ(one.angle, three.angle);
-  EXPECT_EQ(one.area, three.area);
 }
 
 TEST(ScanTilt, AWavyGroundHasNone)
