@@ -2,7 +2,6 @@
 #include "plan_loops.h"
 
 #include "sedr_segmentation/src/curves/loop_difference.h"
-#include "sedr_segmentation/src/curves/plan_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -31,32 +30,6 @@ TEST(LoopDifference, TwoDiscsShareALens)
   EXPECT_NEAR(parts[0].area(), 50 * std::acos(0.8) - 24, 1e-9);
 }
 
-TEST(LoopDifference, WhatIsTakenAlongASharedSideLeavesNoTraceOfIt)
-{
-  for (const double low : {0.0, 1.0}) {
-    const auto parts = difference(rectangle(0, 0, 4, 3), rectangle(3, low, 4, 2));
-    ASSERT_EQ(parts.size(), 1u) << low;
-    EXPECT_NEAR(parts[0].area(), 12 - (2 - low), 1e-9) << low;
-  }
-  EXPECT_TRUE(difference(rectangle(0, 0, 4, 3), rectangle(0, 0, 4, 3)).empty());
-}
-
-TEST(LoopDifference, AnIntersectionIsWhatBothHold)
-{
-  const PlanLoop loop = rectangle(0, 0, 4, 3);
-  const auto areaWith = [&](const PlanLoop& other) {
-    const auto parts = intersection(loop, other);
-    EXPECT_EQ(parts.size(), 1u);
-    return parts.empty() ? 0 : parts[0].area();
-  };
-  EXPECT_NEAR(areaWith(rectangle(3, 1, 6, 2)), 1, 1e-9);
-  EXPECT_NEAR(areaWith(rectangle(1, 1, 2, 2)), 1, 1e-9) << "within";
-  EXPECT_NEAR(areaWith(rectangle(3, 0, 6, 3)), 3, 1e-9) << "two sides in line";
-  EXPECT_NEAR(areaWith(rectangle(0, 0, 4, 3)), 12, 1e-9) << "the same";
-  EXPECT_NEAR(areaWith(rectangle(-1, -1, 5, 4)), 12, 1e-9) << "around";
-  EXPECT_TRUE(intersection(loop, rectangle(4, 0, 6, 3)).empty()) << "beside";
-}
-
 TEST(LoopDifference, AnIntersectionMayHaveSeveralParts)
 {
   const auto parts = intersection(
@@ -65,20 +38,6 @@ TEST(LoopDifference, AnIntersectionMayHaveSeveralParts)
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_NEAR(parts[0].area(), 2, 1e-9);
   EXPECT_NEAR(parts[1].area(), 1, 1e-9);
-}
-
-TEST(Intersections, OfCurvesThatDoNotMeetAreNone)
-{
-  const auto circleAt = [](double x, double radius) {
-    PlanCurve curve;
-    curve.point = {x, 0};
-    curve.radius = radius;
-    return curve;
-  };
-  const PlanCurve circle = circleAt(0, 5);
-  for (const PlanCurve& other :
-       {lineThrough({0, 5.01}, {1, 5.01}), circleAt(11, 5), circleAt(1, 2), circle})
-    EXPECT_TRUE(intersections(circle, other).empty()) << other.point.transpose();
 }
 
 } // namespace

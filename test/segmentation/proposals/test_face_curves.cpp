@@ -47,19 +47,6 @@ TEST(FaceCurves, OfSparseScansAreTheSame)
     }
 }
 
-TEST(FaceCurves, WhatHangsBeforeAFaceIsNoneButWhatStandsFartherOffIs)
-{
-  // A curtain or a step of 70 cm: 4 cm before a wall it is of the wall.
-  const PlanLoop room = rectangle(0, 0, 5, 4);
-  for (const auto& [off, curves] : {std::pair(0.04, 4U), std::pair(0.5, 5U)}) {
-    std::vector<Eigen::Vector2d> places = placesOn({room}, 0.003);
-    for (const Eigen::Vector2d& p :
-         placesOn({{{segment({2, off}, {2.7, off})}}}, 0.003))
-      places.push_back(p);
-    EXPECT_EQ(pcl::sedr::faceCurves(places).curves.size(), curves) << off;
-  }
-}
-
 TEST(FaceCurves, ATurnedFaceIsKeptInACleanRoomAndNotInAClutteredOne)
 {
   std::mt19937 random(3);
@@ -74,16 +61,6 @@ TEST(FaceCurves, ATurnedFaceIsKeptInACleanRoomAndNotInAClutteredOne)
   };
   EXPECT_EQ(curvesWith(0), 5U);
   EXPECT_EQ(curvesWith(400), 4U);
-}
-
-TEST(FaceCurves, LinesTurnedIntoAMainDirectionKeepTheirEnds)
-{
-  // The longest wall is turned by half a degree.
-  const PlanLoop room = polygon({{0, 0}, {9, 0}, {9, 4}, {0, 4.078}});
-  const FaceCurves found = pcl::sedr::faceCurves(placesOn({room}, 0.004));
-  for (const FaceCurve& face : found.curves)
-    for (const double s : {face.from, face.to})
-      EXPECT_LT(room.distance(face.at(s)), 0.06) << face.from << " to " << face.to;
 }
 
 TEST(FaceCurves, OfWhichLittleOfTheHeightWasSeenTellLittle)
@@ -116,12 +93,6 @@ TEST(FaceCurves, OfExactPlacesHaveRadiiThatMayBe)
       EXPECT_LT(face.to - face.from, 2 * M_PI * 25);
     }
   }
-}
-
-TEST(FaceCurves, AreNoneWithoutPlaces)
-{
-  EXPECT_TRUE(pcl::sedr::faceCurves({}).curves.empty());
-  EXPECT_TRUE(pcl::sedr::faceCurves({{1, 1}}).curves.empty());
 }
 
 } // namespace

@@ -97,17 +97,6 @@ TEST(ScanUp, OfAFlatIsToldInEachOfSixDirectionsWithTheTurnThatMendsIt)
       }
 }
 
-TEST(ScanUp, OfAScanWhoseAxisIsKnownNeedsNoDoubt)
-{
-  const RoomPoints turned = rotated(
-      flat(), Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix());
-  EXPECT_TRUE(doubtOf(turned).isCertain());
-  const UpDoubt known =
-      doubtOfUp(turned.view(), turned.all(), {}, 1, {}, {true, false});
-  EXPECT_EQ(known.reason, "");
-  EXPECT_FALSE(known.isDoubtful());
-}
-
 TEST(ScanUp, OfAVaultBelowAFloorIsDoubted)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
