@@ -106,6 +106,31 @@ TEST(StructureRefinement, SetsPositionNormalLabelAndRoomAndKeepsTheOtherFields)
   }
 }
 
+TEST(StructureRefinement, PointsOfDetailsLieOnTheirUndersidesAndOnTheRisersOfTheirHoles)
+{
+  auto plan = std::make_shared<Floorplan>();
+  plan->rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5)};
+  plan->rooms[0].details = {detailOf(rectangle(1, 0, 4, 3), 2.1)};
+  plan->rooms[0].details[0].holes = {reversed(rectangle(2, 1, 3, 2))};
+  RoomPoints points;
+  for (const auto& [x, z] : {std::pair(1.5, 2.12), {1.02, 2.3}, {1.98, 2.3}})
+    points.point(x, 1.5, z);
+  const auto cloud = points.cloud<pcl::PointStructure>();
+  label(*cloud, points.all(), StructureLabel::Detail);
+  pcl::StructureRefinement<pcl::PointStructure> refinement;
+  refinement.setInputCloud(cloud);
+  refinement.setFloorplan(plan);
+  Structure refined;
+  refinement.filter(refined);
+  ASSERT_EQ(refined.size(), 3u);
+  EXPECT_EQ(refined[0].getVector3fMap(), Eigen::Vector3f(1.5F, 1.5F, 2.1F));
+  EXPECT_EQ(refined[0].normal_z, -1);
+  EXPECT_EQ(refined[1].getVector3fMap(), Eigen::Vector3f(1, 1.5F, 2.3F));
+  EXPECT_EQ(refined[1].normal_x, -1) << "towards the higher ceiling";
+  EXPECT_EQ(refined[2].getVector3fMap(), Eigen::Vector3f(2, 1.5F, 2.3F));
+  EXPECT_EQ(refined[2].normal_x, 1);
+}
+
 TEST(StructureRefinement, TakesLabelsAndRoomsForAPointTypeWithoutThem)
 {
   const FurnishedRoom room;

@@ -62,16 +62,6 @@ jackArches(double x, double)
   return 1 + std::sqrt(1.84 * 1.84 - off * off);
 }
 
-TEST(FitSheet, ALevelCeilingIsOnePlane)
-{
-  const Scene scene = sceneOf(6, 4, [](double, double) { return 2.5; });
-  const FacetSheet sheet = fitted(scene);
-  ASSERT_EQ(sheet.facets.size(), 1U);
-  EXPECT_FALSE(sheet.facets[0].curve);
-  EXPECT_NEAR(sheet.noise, 0.01, 0.002);
-  EXPECT_NEAR(sheet.facets[0].heightAt({3, 2}), 2.5, 0.001);
-}
-
 TEST(FitSheet, AFloorOfPointsAtAnyHeightHasNoFacet)
 {
   const Scene scene = sceneOf(2, 2, [](double x, double y) {
@@ -102,24 +92,6 @@ TEST(FitSheet, AShedRoofIsOnePlane)
   const FacetSheet sheet = fitted(scene);
   ASSERT_EQ(sheet.facets.size(), 1U);
   EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
-}
-
-TEST(FitSheet, AGableHasTwoSlopesThatMeetInTheRidge)
-{
-  const Scene scene = sceneOf(6, 4, gable);
-  const PlanRoom room = fittedRoom(scene);
-  ASSERT_EQ(room.details.size(), 1U);
-  const Off off = offBy(scene, room);
-  EXPECT_LT(off.mean, 0.0005);
-  EXPECT_LT(off.beyond, 0.001);
-  // The border is a single straight line, the ridge.
-  int on_ridge = 0;
-  for (const PlanElement& element : room.details[0].boundary.elements)
-    if (std::abs(element.start.y() - 2) < 0.005 &&
-        std::abs(element.end.y() - 2) < 0.005)
-      ++on_ridge;
-  EXPECT_EQ(on_ridge, 1);
-  EXPECT_NEAR(room.ceilingAt({3, 2}), 1 + 2 * tangent(40), 0.005);
 }
 
 TEST(FitSheet, ASteepGableNeedsNoRiserAtItsRidge)
@@ -225,25 +197,6 @@ TEST(FitSheet, NoiseOfTwoCentimetresMakesNoFurtherFacets)
   EXPECT_LT(offBy(scene, room).mean, 0.001);
 }
 
-TEST(FitSheet, LampsAndPlacesThatWereNotSeenGoWithWhatIsAround)
-{
-  Scene scene = sceneOf(6, 4, gable);
-  std::vector<Eigen::Vector3d> points;
-  for (Eigen::Vector3d p : scene.points) {
-    if (std::abs(p.x() - 4.5) < 0.6 && std::abs(p.y() - 2) < 0.7)
-      continue; // hidden near the ridge
-    if (std::abs(p.x() - 2) < 0.25 && std::abs(p.y() - 1.2) < 0.25)
-      p.z() = 1.7; // a lamp
-    points.push_back(p);
-  }
-  scene.points = points;
-  const PlanRoom room = fittedRoom(scene);
-  ASSERT_EQ(room.details.size(), 1U);
-  EXPECT_LT(offBy(scene, room).mean, 0.0006);
-  EXPECT_LT(offBy(scene, room).beyond, 0.001);
-  EXPECT_GT(room.details[0].slab.inferred, 0.02);
-}
-
 TEST(FitSheet, ABeamIsAFacetWithStepsOnBothSides)
 {
   const Scene scene = sceneOf(6, 4, [](double x, double y) {
@@ -253,24 +206,6 @@ TEST(FitSheet, ABeamIsAFacetWithStepsOnBothSides)
   EXPECT_EQ(room.details.size(), 1U);
   EXPECT_NEAR(room.ceilingAt({3.15, 2}), 2.2, 0.005);
   EXPECT_NEAR(room.ceilingAt({3.25, 2}), 3, 0.005);
-}
-
-TEST(FitSheet, AStepIsWhereItsRiserWasSeen)
-{
-  // 40 cm of the ceiling are hidden; the riser is not in their middle.
-  Scene scene = sceneOf(
-      6, 4, [](double x, double y) { return x < 3.07 ? 2.2 : segmental(x, y) - 1; });
-  scene.points.erase(std::remove_if(scene.points.begin(), scene.points.end(),
-                                    [](const Eigen::Vector3d& p) {
-                                      return p.x() > 2.97 && p.x() < 3.37;
-                                    }),
-                     scene.points.end());
-  for (double y = 0.01; y < 4; y += 0.04)
-    for (double z = 2.2; z < 3; z += 0.04)
-      scene.risers.emplace_back(3.07 + 0.003 * std::sin(97 * y + 31 * z), y, z);
-  const PlanRoom room = fittedRoom(scene);
-  EXPECT_NEAR(room.ceilingAt({3.06, 2}), 2.2, 0.005);
-  EXPECT_NEAR(room.ceilingAt({3.08, 2}), 3, 0.005);
 }
 
 TEST(FitSheet, EachSideOfABeamIsAtItsOwnFaceThoughMoreOfTheOtherWasSeen)
@@ -301,19 +236,6 @@ TEST(FitSheet, StepsAreAsExactHoweverTheRoomIsTurned)
     EXPECT_EQ(room.details.size(), 1U) << degrees;
     EXPECT_LT(offBy(other, room).beyond, 0.002) << degrees;
   }
-}
-
-TEST(FitSheet, ABeamNarrowerThanTheWindowsOfVaultsIsFound)
-{
-  const Scene scene = sceneOf(6, 4, [](double x, double y) {
-    return std::abs(x - 2.9) < 0.15 || std::abs(x - 4.4) < 0.15
-               ? 2.7
-               : 3 + tangent(10) * (y - 2);
-  });
-  const PlanRoom room = fittedRoom(scene);
-  EXPECT_NEAR(room.ceilingAt({2.9, 1}), 2.7, 0.005);
-  EXPECT_NEAR(room.ceilingAt({4.4, 3}), 2.7, 0.005);
-  EXPECT_LT(offBy(scene, room).beyond, 0.01);
 }
 
 TEST(FitSheet, ABeamBelowASlopeEndsAtItsSidesThoughTheSlopeMeetsItBeside)
@@ -371,6 +293,30 @@ TEST(FitSheet, ACoveGoesOverIntoTheLevelCeiling)
     EXPECT_LT(off.mean, 0.0015) << seed;
     EXPECT_LT(off.beyond, 0.001) << seed;
   }
+}
+
+/** Height of a vault over a hall with level soffits of 0.8 m x 0.7 m between piers,
+ * each at a height of its own. */
+double
+vaultWithSoffits(double x, double y)
+{
+  for (int k = 0; k < 4; ++k)
+    if (std::abs(x - (k % 2 == 0 ? 3 : 13)) < 0.4 &&
+        std::abs(y - (k < 2 ? 2.05 : 9.05)) < 0.35)
+      return 3 + 0.1 * k;
+  return 4 + std::sqrt(144 - (y - 6) * (y - 6)) - 12;
+}
+
+TEST(FitSheet, SmallSoffitsInALargeHallAreLevelFacets)
+{
+  const Scene scene = sceneOf(16, 12, vaultWithSoffits);
+  const PlanRoom room = fittedRoom(scene);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(room.ceilingAt({k % 2 == 0 ? 3 : 13, k < 2 ? 2.05 : 9.05}), 3 + 0.1 * k,
+                0.005)
+        << k;
+  EXPECT_EQ(room.details.size(), 4U);
+  EXPECT_LT(offBy(scene, room).beyond, 0.01);
 }
 
 TEST(PointsOfRisers, AreNoneOfTheWalls)
