@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of a scanner that the scan contradicts.
+#include "cast_rays.h"
+
 #include "sedr_filters/src/rays/mirrored_points.h"
 
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 
 namespace {
 
+using namespace sedr_test;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 using pcl::sedr::findMirroredPoints;
@@ -59,12 +61,8 @@ private:
   void scanFrom(const Vector3d& place)
   {
     positions.push_back({rows_->size(), place.cast<float>()});
-    for (int i = 0; i < 100000; ++i) {
-      const double up = 2 * uniform_(random_) - 1;
-      const double around = 2 * M_PI * uniform_(random_);
-      const double level = std::sqrt(1 - up * up);
-      see(place, {level * std::cos(around), level * std::sin(around), up});
-    }
+    for (int i = 0; i < 100000; ++i)
+      see(place, anyDirection(random_));
   }
 
   void see(Vector3d from, const Vector3d& direction)
@@ -88,59 +86,12 @@ private:
                     : Eigen::AlignedBox3d(Vector3d(6.2, -2, 0), Vector3d(14, 5, 3.1));
   }
 
-  static double exitFrom(const Eigen::AlignedBox3d& box,
-                         const Vector3d& from,
-                         const Vector3d& direction)
-  {
-    double exit = 100;
-    for (int axis = 0; axis < 3; ++axis)
-      if (direction[axis] != 0)
-        exit =
-            std::min(exit, ((direction[axis] > 0 ? box.max()[axis] : box.min()[axis]) -
-                            from[axis]) /
-                               direction[axis]);
-    return exit;
-  }
-
   static constexpr double middle = 6.1;
   double returned_;
   pcl::PointCloud<pcl::PointXYZ>::Ptr rows_{new pcl::PointCloud<pcl::PointXYZ>};
   std::mt19937 random_{1};
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
-
-TEST(TruePlaces, WhereTheScannerStoodIsTrueAlsoBesideGlass)
-{
-  for (const double returned : {0.05, 0.2, 1.}) {
-    const TwoRooms rooms(returned);
-    const MirroredPoints found = rooms.found(rooms.positions);
-    EXPECT_TRUE(found.untrue.empty()) << returned;
-    EXPECT_GT(found.rays, 1000u);
-  }
-}
-
-TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
-{
-  const TwoRooms rooms(1);
-  const MirroredPoints found = rooms.found({rooms.positions[0]});
-  ASSERT_EQ(found.untrue.size(), 1u);
-  EXPECT_EQ(found.untrue[0], rooms.positions[0].place);
-  EXPECT_EQ(found.rays, 0u);
-  EXPECT_TRUE(found.lines.empty());
-}
-
-TEST(TruePlaces, TheCornerOfARoomIsNone)
-{
-  constexpr float voxel = 0.05F;
-  const TwoRooms rooms(1);
-  for (const Vector3f& corner : {Vector3f(0, 0, 0), Vector3f(0.04F, 0.05F, 0)}) {
-    ScanPositions positions = rooms.positions;
-    positions[0].place = corner;
-    const MirroredPoints found = rooms.found(positions, voxel);
-    ASSERT_EQ(found.untrue.size(), 1u);
-    EXPECT_EQ(found.untrue[0], corner);
-  }
-}
 
 TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
 {
