@@ -131,6 +131,29 @@ TEST(FitSheet, AVaultIsOneCylinder)
   }
 }
 
+TEST(FitSheet, AVaultAtAnAngleToTheWallsIsOneCylinder)
+{
+  const Eigen::Rotation2Dd turn(0.6);
+  const Scene scene = sceneOf(6, 4, [&](double x, double y) {
+    return segmental(0, 2 + (turn * Eigen::Vector2d(x - 3, y - 2)).y());
+  });
+  const FacetSheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  ASSERT_TRUE(sheet.facets[0].curve);
+  EXPECT_NEAR(sheet.facets[0].curve->across, 4, 0.04);
+  EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
+}
+
+TEST(FitSheet, AnOvalDomeIsOneEllipsoid)
+{
+  const Scene scene = sceneOf(6, 4, [](double x, double y) {
+    return 2 + std::sqrt(1 - std::pow((x - 3) / 4, 2) - std::pow((y - 2) / 3.5, 2));
+  });
+  const FacetSheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
+}
+
 /** Height of a dome of 1.07 m radius over a circle of 0.84 m in a level ceiling. */
 double
 smallDome(double x, double y)
