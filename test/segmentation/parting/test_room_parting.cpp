@@ -3,7 +3,6 @@
 
 #include "segmentation/air/stairs_scene.h"
 
-#include <array>
 #include <tuple>
 
 namespace {
@@ -80,16 +79,6 @@ TEST(PartRooms, TwoDoorsSideBySidePartTwoRooms)
   });
 }
 
-TEST(PartRooms, ADoorAsHighAsTheCeilingPartsThemByItsJambs)
-{
-  forBothTurns([](AirScene& scene) {
-    addTwoRooms(scene, {1.05, 1.95, 2.51});
-    const Parted air(scene);
-    EXPECT_EQ(air.rooms(), 2u);
-    EXPECT_NE(air.roomAt(2, 1.5), air.roomAt(5.5, 1.5));
-  });
-}
-
 TEST(PartRooms, AsHighADoorPartsASmallRoomFromAHallWhoseOutlineItKeeps)
 {
   forBothTurns([](AirScene& scene) {
@@ -115,17 +104,6 @@ TEST(PartRooms, AWallOfWhichLittleIsLeftJoins)
   forBothTurns([](AirScene& scene) {
     addTwoRooms(scene, {0.35, 2.75, 2.51});
     EXPECT_EQ(Parted(scene).rooms(), 1u);
-  });
-}
-
-TEST(PartRooms, AWallWithoutADoorPartsThemWithoutAnOpening)
-{
-  forBothTurns([](AirScene& scene) {
-    scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-    scene.room(4.15, 0.05, 7.15, 3.05, 0.01, 2.51);
-    const Parted air(scene);
-    EXPECT_EQ(air.rooms(), 2u);
-    EXPECT_TRUE(air.parted.openings.empty());
   });
 }
 
@@ -166,24 +144,6 @@ TEST(PartRooms, ASmallClosetIsNotOfTheRoomAboveItIntoWhichAShaftLeads)
     EXPECT_EQ(air.roomAt(0.5, 0.5, 4), upper) << "above the closet";
     EXPECT_NE(air.roomAt(0.5, 0.5, 1), upper);
     EXPECT_NE(air.roomAt(0.5, 0.5, 1), -1) << "nor lost";
-  });
-}
-
-TEST(PartRooms, AVoidOverTwoStoreysIsOfTheLower)
-{
-  forBothTurns([](AirScene& scene) { // 6 m x 6 m, with a hole of 2 m x 2 m in the slab
-    scene.slabs(0.05, 0.05, 6.05, 6.05, 0.01, 6.01);
-    scene.sides(0.05, 0.05, 6.05, 6.05, 0.01, 6.01);
-    for (const double z : {2.71, 3.01})
-      for (const auto& [x0, y0, x1, y1] :
-           {std::array{0.05, 0.05, 6.05, 2.05}, std::array{0.05, 4.05, 6.05, 6.05},
-            std::array{0.05, 2.05, 2.05, 4.05}, std::array{4.05, 2.05, 6.05, 4.05}})
-        scene.slab(x0, y0, x1, y1, z);
-    scene.sides(2.05, 2.05, 4.05, 4.05, 2.71, 3.01);
-    const Parted air(scene);
-    EXPECT_EQ(air.rooms(), 2u);
-    EXPECT_EQ(air.roomAt(3, 3, 1), air.roomAt(1, 1, 1));
-    EXPECT_NE(air.roomAt(3, 3, 1), air.roomAt(1, 1, 4));
   });
 }
 
