@@ -303,23 +303,6 @@ TEST(AdjustPlan, ErrorsThatPointsShareAreMeasured)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 8, 6)), 0.003);
 }
 
-TEST(AdjustPlan, TheResultDoesNotDependOnTheNumberOfThreads)
-{
-  RoomPoints raw(0.02, 0.005);
-  raw.room(plainRoom());
-  Floorplan first;
-  for (const unsigned threads : {1u, 2u, 5u}) {
-    AdjustmentParameters parameters;
-    parameters.threads = threads;
-    Floorplan plan = offPlan(plainRoom(), 0.01);
-    adjustPlan(plan, raw.view(), {}, parameters);
-    if (threads == 1)
-      first = plan;
-    EXPECT_EQ(plan.rooms[0].floor.plane, first.rooms[0].floor.plane);
-    EXPECT_EQ(cornerError(plan.rooms[0].boundary, first.rooms[0].boundary), 0);
-  }
-}
-
 TEST(AdjustPlan, RefusesEmptyLoopsAndLeavesWhatNoPointShows)
 {
   Floorplan plan = offPlan(plainRoom(), 0.01);
