@@ -10,23 +10,16 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Adds points in every `step`th row and column of those that a surface would have. */
-void
-addLayer(AirScene& scene, const PlanLoop& loop, double height, int step)
-{
-  scene.points.slab(loop, height, [&](double x, double y) {
-    return std::lround(x / 0.05 - 0.5) % step == 0 &&
-           std::lround(y / 0.05 - 0.5) % step == 0;
-  });
-}
-
-/** A room of 4 m x 3 m, 2.5 m high, and in its middle points at 2 m. */
+/** A room of 4 m x 3 m, 2.5 m high, and in it points at 2 m, in every second row and
+ * column of those that a surface would have. */
 AirScene
-roomWithLayer(int step)
+roomWithLayer(const PlanLoop& loop)
 {
   AirScene scene;
   scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  addLayer(scene, scene.loop(1.05, 1.05, 2.05, 2.05), 2.01, step);
+  scene.points.slab(loop, 2.01, [](double x, double y) {
+    return std::lround(x / 0.05 - 0.5) % 2 == 0 && std::lround(y / 0.05 - 0.5) % 2 == 0;
+  });
   return scene;
 }
 
@@ -44,17 +37,15 @@ heightAt(const AirScene& scene, double x, double y, bool knows_veils)
 
 TEST(Veils, EndNoAirWhereTheCeilingIsSeenThroughThem)
 {
-  const AirScene scene = roomWithLayer(2);
+  const AirScene scene = roomWithLayer(rectangle(1.05, 1.05, 2.05, 2.05));
   EXPECT_NEAR(heightAt(scene, 1.5, 1.5, false), 1.95, 1e-9) << "up to the points";
   EXPECT_NEAR(heightAt(scene, 1.5, 1.5, true), 2.45, 1e-9) << "up to the ceiling";
 }
 
 TEST(Veils, AreNoHeadsOfOpeningsInThickWalls)
 {
-  AirScene scene;
-  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  AirScene scene = roomWithLayer(rectangle(1.05, 1.05, 1.55, 2.05));
   scene.sides(1.05, 1.05, 1.55, 2.05, 2.01, 2.51);
-  addLayer(scene, scene.loop(1.05, 1.05, 1.55, 2.05), 2.01, 2);
   EXPECT_NEAR(heightAt(scene, 1.3, 1.5, true), 1.95, 1e-9);
 }
 

@@ -10,15 +10,15 @@ namespace {
 
 using namespace pcl::sedr;
 
-/** Returns the cells of `size` with points of a ceiling of 6 m x 5 m, scattered
- * independently at `density` per square metre. */
+/** Returns the cells of 5 cm with points of a ceiling of 6 m x 5 m from x0 on,
+ * scattered independently at `density` per square metre. */
 CellSet
-scattered(double density, double size, double x0 = -2, double y0 = -1)
+scattered(double density, double x0)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(x0, x0 + 6);
-  std::uniform_real_distribution<double> y(y0, y0 + 5);
-  const CellGrid grid(size);
+  std::uniform_real_distribution<double> y(-1, 4);
+  const CellGrid grid(0.05);
   std::vector<CellKey> keys;
   for (int i = 0; i < static_cast<int>(30 * density); ++i) {
     const double px = x(random);
@@ -31,8 +31,8 @@ TEST(CellSize, GrowsForASparseThirdOfAScanOnlyWhereTheRestIsNotFilled)
 {
   // 1000 points per square metre fill 92 % of the cells of 5 cm, 2200 fill 99.6 %.
   for (const double rest : {1000.0, 2200.0}) {
-    const std::vector<CellSet> ceilings{
-        scattered(rest, 0.05), scattered(rest, 0.05, 20), scattered(400, 0.05, 40)};
+    const std::vector<CellSet> ceilings{scattered(rest, -2), scattered(rest, 20),
+                                        scattered(400, 40)};
     const double expected = rest < 1500 ? std::sqrt(-std::log(0.03) / 400) : 0.05;
     EXPECT_NEAR(expected, cellSizeFor(ceilings, 0.05), 0.02) << rest;
   }
