@@ -39,14 +39,15 @@ main(int argc, char** argv)
   options.text("ifc-arcs", arcs,
                "arcs of the IFC: exact, or faceted for programs that misread them",
                {"exact", "faceted"});
-  options.text("project", settings.name,
-               "name of project and building; GUIDs are made of it and of the scan");
-  options.text("date", settings.date, "of the file, such as 2024-05-31");
-  options.text("drawn-by", settings.author, "author of the file");
+  options.words("project", settings.name,
+                "name of project and building; GUIDs are made of it and of the scan");
+  options.words("date", settings.date, "of the file, such as 2024-05-31");
+  options.words("drawn-by", settings.author, "author of the file");
   options.text("schedules", schedules,
                "folder for rooms.csv, openings.csv and walls.csv; none: not written");
-  options.text("crs", settings.crs,
-               "name of the grid that the coordinates are in, for the IFC: EPSG:25832");
+  options.words(
+      "crs", settings.crs,
+      "name of the grid that the coordinates are in, for the IFC: EPSG:25832");
   options.number("assumed-thickness", settings.assumed_thickness, "m",
                  "of walls and slabs of the IFC of which one face was seen",
                  Range::between(0.02, 2));

@@ -20,6 +20,7 @@ struct SampleOptions {
   int steps = 3;
   std::optional<double> height;
   std::string mode = "auto";
+  std::string title;
   bool fast = false;
   Options options{"pcl_sample", "Does something."};
 
@@ -31,6 +32,7 @@ struct SampleOptions {
     options.number("steps", steps, "", "steps", Range::between(-5, 5));
     options.optionalNumber("height", height, "m", "height", "measured");
     options.text("mode", mode, "mode", {"auto", "manual"});
+    options.words("title", title, "on the sheet");
     options.flag("fast", fast, "in haste");
   }
 
@@ -152,6 +154,12 @@ TEST(ToolOptions, RefuseEachMistakeWithASentenceThatNamesIt)
       std::string::npos);
   EXPECT_NE(sample.refusal({"a", "--leaf", "-1"}).find("not -1"), std::string::npos);
   EXPECT_NE(sample.refusal({"a", "--leaf", "nan"}).find("'nan'"), std::string::npos);
+  EXPECT_EQ(sample.refusal({"a", "--title",
+                            "K\xc3\xbc"
+                            "che"}),
+            "");
+  EXPECT_EQ(SampleOptions().refusal({"a", "--title", "K\xfc"}),
+            "--title takes printable text in UTF-8, not 'K\\xfc'");
   EXPECT_NE(sample.refusal({"a", "--leaf", "1cm"}).find("'1cm'"), std::string::npos);
   for (const std::vector<const char*>& wrong :
        {std::vector<const char*>{"a", "--leaf"}, {"a", "--leaf", "1", "--leaf", "2"}})

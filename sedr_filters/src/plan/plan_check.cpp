@@ -2,6 +2,7 @@
 #include "plan_check.h"
 
 #include "../base/number_text.h"
+#include "../base/printable.h"
 #include "../walls/tilted_walls.h"
 #include "level_planes.h"
 
@@ -154,15 +155,20 @@ checkName(const std::string& name, const std::string& what)
 {
   namespace conv = boost::locale::conv;
   constexpr std::size_t most = 255; // characters of a label in IFC
-  std::size_t length = 0;
+  std::u32string letters;
   try {
-    length = conv::utf_to_utf<char32_t>(name, conv::stop).size();
+    letters = conv::utf_to_utf<char32_t>(name, conv::stop);
   }
   catch (const conv::conversion_error&) {
     require(false, what + " is not UTF-8");
   }
-  require(length <= most, what + " has at most " + std::to_string(most) +
-                              " characters, not " + std::to_string(length));
+  require(letters.size() <= most, what + " has at most " + std::to_string(most) +
+                                      " characters, not " +
+                                      std::to_string(letters.size()));
+  const auto odd = std::find_if_not(letters.begin(), letters.end(), isPrintable);
+  require(odd == letters.end(), what + " has a character that cannot be printed, the " +
+                                    std::to_string(odd - letters.begin() + 1) +
+                                    ". one");
 }
 
 /** @brief Checks that the ceiling is above the floor somewhere along the walls. */

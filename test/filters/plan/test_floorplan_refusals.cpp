@@ -131,6 +131,8 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
               p.openings.push_back(p.openings[0]);
             }},
            {"", [](Floorplan& p) { p.rooms[1].name = std::string(255, 'L'); }},
+           {"cannot be printed, the 3. one",
+            [](Floorplan& p) { p.rooms[1].name = "K\xc3\xbc\x01"; }},
            {"at most 255 characters, not 256",
             [](Floorplan& p) { p.rooms[1].name = std::string(256, 'L'); }},
            {"a stair's top must not be below its bottom",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -109,6 +110,18 @@ Options::text(const std::string& name,
     value = given;
   };
   add(name, help, allowed, value.empty() ? "none" : value, read);
+}
+
+void
+Options::words(const std::string& name, std::string& value, const std::string& help)
+{
+  add(name, help, "", value.empty() ? "none" : value,
+      [name, &value](const auto& given) {
+        if (plainText(given) != given)
+          throw ToolError("--" + name + " takes printable text in UTF-8, not " +
+                          quotedWord(given));
+        value = given;
+      });
 }
 
 void

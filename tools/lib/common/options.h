@@ -134,6 +134,9 @@ public:
             const std::string& help,
             const std::vector<std::string>& choices = {});
 
+  /** @brief Declares a text that is printed, in UTF-8. */
+  void words(const std::string& name, std::string& value, const std::string& help);
+
   /** @brief Declares a switch, `--name`, which sets `value`. */
   void flag(const std::string& name, bool& value, const std::string& help);
 

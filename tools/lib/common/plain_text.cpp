@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plain_text.h"
 
+#include "sedr_filters/src/base/printable.h"
+
 #include <boost/locale/utf.hpp>
 
 #include <cstdint>
 
 namespace pcl::sedr::tools {
-
-namespace {
-
-/** @brief Returns whether a character of Unicode shows itself and moves nothing. */
-bool
-isPrintable(std::uint32_t code)
-{
-  const bool is_control = code < ' ' || (code >= 0x7f && code < 0xa0);
-  const bool turns = (code >= 0x2028 && code <= 0x202e) || // lines, directions
-                     (code >= 0x2066 && code <= 0x2069);
-  return boost::locale::utf::is_valid_codepoint(code) && !is_control && !turns;
-}
-
-} // namespace
 
 std::string
 plainText(std::string_view text, std::size_t most)

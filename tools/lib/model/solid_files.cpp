@@ -83,13 +83,13 @@ formatOf(const std::string& path)
 void
 addSheetTexts(Options& options, SheetTexts& texts)
 {
-  options.text("title", texts.title,
-               "of the sheets; none: what is drawn, such as \"Floor plan\"");
-  options.text("client", texts.client, "of the title block, as are the next ones");
-  options.text("project", texts.project,
-               "name of the project, also in the IFC, whose GUIDs are made of it");
-  options.text("date", texts.date, "such as 2024-05-31, as the IFC takes it");
-  options.text("drawn-by", texts.drawn_by, "who has drawn it, author of the IFC");
+  options.words("title", texts.title,
+                "of the sheets; none: what is drawn, such as \"Floor plan\"");
+  options.words("client", texts.client, "of the title block, as are the next ones");
+  options.words("project", texts.project,
+                "name of the project, also in the IFC, whose GUIDs are made of it");
+  options.words("date", texts.date, "such as 2024-05-31, as the IFC takes it");
+  options.words("drawn-by", texts.drawn_by, "who has drawn it, author of the IFC");
 }
 
 std::vector<DrawingSheet>

@@ -43,7 +43,7 @@ std::string floorplanToJson(const Floorplan& plan);
  * - ceilings that are nowhere above the floor, tilted walls that meet below the
  *   ceiling;
  * - room ids that are 0 or occur twice, openings of one kind and number;
- * - names that are not UTF-8 or have more than 255 characters;
+ * - names that are not printable UTF-8 or have more than 255 characters;
  * - a max_wall out of the range of the prior.
  *
  * An arc whose ends coincide is a whole circle.
