@@ -217,7 +217,9 @@ from_json(const Json& json, PlanDetail& detail)
 void
 to_json(Json& json, const PlanNiche& niche)
 {
-  json = {{"bottom", niche.bottom}, {"top", niche.top}, {"boundary", niche.boundary}};
+  json = {{"bottom", facetToJson(niche.bottom)},
+          {"top", facetToJson(niche.top)},
+          {"boundary", niche.boundary}};
 }
 
 void
