@@ -130,32 +130,33 @@ to_json(Json& json, const PlanSlab& slab)
   if (slab.inferred > 0)
     json["inferred"] = slab.inferred;
   accuracyToJson(slab.accuracy, json);
-}
-
-Json
-facetToJson(const PlanSlab& slab)
-{
-  constexpr std::array<const char*, 3> names{"cylinder", "ellipsoid", "relief"};
-  Json json = slab;
-  json["type"] =
-      slab.curve ? names.at(static_cast<std::size_t>(slab.curve->kind)) : "plane";
-  json["inferred"] = slab.inferred;
   if (!slab.curve)
-    return json;
+    return;
+  constexpr std::array<const char*, 3> names{"cylinder", "ellipsoid", "relief"};
   const SlabCurve& curve = *slab.curve;
+  json["type"] = names.at(static_cast<std::size_t>(curve.kind));
   json["centre"] = curve.centre;
   json["axis"] = curve.axis;
   if (curve.kind == CurveKind::Relief) {
     json["spacing"] = curve.spacing;
     json["columns"] = curve.columns;
     json["heights"] = curve.heights;
-    return json;
+    return;
   }
   json["base"] = curve.base;
   if (curve.kind == CurveKind::Ellipsoid)
     json["along"] = curve.along;
   json["across"] = curve.across;
   json["up"] = curve.up;
+}
+
+Json
+facetToJson(const PlanSlab& slab)
+{
+  Json json = slab;
+  if (!slab.curve)
+    json["type"] = "plane";
+  json["inferred"] = slab.inferred;
   return json;
 }
 
@@ -217,9 +218,7 @@ from_json(const Json& json, PlanDetail& detail)
 void
 to_json(Json& json, const PlanNiche& niche)
 {
-  json = {{"bottom", facetToJson(niche.bottom)},
-          {"top", facetToJson(niche.top)},
-          {"boundary", niche.boundary}};
+  json = {{"bottom", niche.bottom}, {"top", niche.top}, {"boundary", niche.boundary}};
 }
 
 void

@@ -35,6 +35,7 @@ samplePlan()
   room.floor_details = {detailOf(rectangle(1, 1, 2, 1 + M_E), 0.1 / 3)};
   room.niches = {{stadium(1, 0.1 / 3), slabAt(0.1), slabAt(2.0 / 3)}};
   room.niches[0].bottom.curve = std::make_shared<SlabCurve>();
+  room.floor_details[0].slab.curve = room.niches[0].bottom.curve;
   plan.rooms.push_back(room);
   plan.rooms.push_back(
       roomOf(rectangle(-1.0 / 3, 5e-324, 0.1, 1.0 / 7), 3, 4294967295u));
@@ -73,7 +74,7 @@ TEST(FloorplanJson, ReadsBackExactly)
   EXPECT_EQ(room.floor_details[0].slab.plane,
             plan.rooms[0].floor_details[0].slab.plane);
   EXPECT_EQ(room.niches[0].top.plane, plan.rooms[0].niches[0].top.plane);
-  EXPECT_TRUE(room.niches[0].bottom.curve) << "as the floor before it";
+  EXPECT_TRUE(room.niches[0].bottom.curve && room.floor_details[0].slab.curve);
   EXPECT_FALSE(room.niches[0].top.curve);
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
 }
