@@ -112,10 +112,18 @@ private:
       if (std::any_of(opening.walls.begin(), opening.walls.end(),
                       [&](const OpeningWall& in) {
                         return in.room == room_.id && in.element == e;
-                      }))
-        openings.push_back(
-            addOpening(opening, left + wall.length() - wall.project(opening.start),
-                       left + wall.length() - wall.project(opening.end)));
+                      })) {
+        const double end = left + wall.length();
+        const auto [a, b] = std::minmax(
+            {end - wall.project(opening.start), end - wall.project(opening.end)});
+        if (wall.start == wall.end && b - a > wall.length() / 2) {
+          openings.push_back(
+              addOpening(opening, left, a)); // across the ends of a circle
+          openings.push_back(addOpening(opening, b, end));
+        }
+        else
+          openings.push_back(addOpening(opening, a, b));
+      }
     for (const PlanLoop& loop : unrolled(e, left)) {
       const bool is_niche = loop.area() > 0; // triangles face out of the room
       for (const PlanElement& part : loop.elements)
@@ -198,9 +206,8 @@ private:
   }
 
   /** @return its outline */
-  PlanLoop addOpening(const PlanOpening& opening, double a, double b)
+  PlanLoop addOpening(const PlanOpening& opening, double left, double right)
   {
-    const auto [left, right] = std::minmax(a, b);
     const PlanLoop outline =
         rectangleOf(left, right, opening.bottom + up_, opening.top + up_);
     const PlanLayer layer =

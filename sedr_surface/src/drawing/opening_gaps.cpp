@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_gaps.h"
 
-#include "sedr_filters/src/plan/plan_arcs.h"
 #include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_segmentation/src/curves/plan_curve.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl::sedr {
 namespace {
@@ -119,20 +120,36 @@ linesOf(const OpeningGap& gap)
 std::vector<PlanElement>
 cutAtGaps(const PlanElement& element, const std::vector<OpeningGap>& gaps)
 {
-  constexpr double on_face = 0.05; // metres between an arc and the end of its opening
+  constexpr double on_face = 0.05; // metres from the end of a jamb
   constexpr double shortest = 1e-4;
   if (element.length() < shortest)
     return {element};
-  const auto isOn = [&](const Eigen::Vector2d& p) {
-    Eigen::Vector2d unused;
-    return std::abs(offLine(element, p, unused)) < on_face;
+  const PlanCurve face = carrierOf(element);
+  // Where a jamb ends on the face, along it; an arc bows out of the chord between both.
+  const auto endOf = [&](const PlanElement& jamb,
+                         double width) -> std::optional<double> {
+    const double bow = element.isArc() ? width * width / (8 * element.radius) : 0;
+    for (const Eigen::Vector2d& p : intersections(face, carrierOf(jamb)))
+      if (jamb.distance(p) < on_face + bow)
+        return element.project(p);
+    return std::nullopt;
   };
   std::vector<std::pair<double, double>> cuts;
-  for (const OpeningGap& gap : gaps)
-    for (const auto& [a, b] : {std::pair(0, 1), std::pair(3, 2)})
-      if (isOn(gap.corners[a]) && isOn(gap.corners[b]))
-        cuts.push_back(std::minmax(
-            {element.project(gap.corners[a]), element.project(gap.corners[b])}));
+  for (const OpeningGap& gap : gaps) {
+    const auto& c = gap.corners;
+    const double width = (c[1] - c[0]).norm();
+    const auto a = endOf(segment(c[0], c[3]), width);
+    const auto b = endOf(segment(c[1], c[2]), width);
+    if (!a || !b)
+      continue;
+    const auto [from, to] = std::minmax({*a, *b});
+    if (element.start == element.end && to - from > element.length() / 2) {
+      cuts.emplace_back(0, from); // across the ends of a circle
+      cuts.emplace_back(to, element.length());
+    }
+    else
+      cuts.emplace_back(from, to);
+  }
   std::sort(cuts.begin(), cuts.end());
   cuts.emplace_back(element.length(), element.length());
   std::vector<PlanElement> parts;

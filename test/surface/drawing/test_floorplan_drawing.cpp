@@ -316,7 +316,7 @@ TEST(FloorplanDrawing, NumbersOfCrowdedOpeningsStandAtLeadersOrTheNotesTellThem)
   for (const PlanElement& leader : drawing.texts.leaders)
     EXPECT_NEAR((leader.start - Eigen::Vector2d(3.2, -0.1)).norm(), 0, 1e-9);
   for (int k = 1; k <= 8; ++k)
-    EXPECT_TRUE(holds(svgOf(plan, scaled(100)), ">W" + std::to_string(k) + "<")) << k;
+    EXPECT_TRUE(holds(svgOf(plan, scaled(100)), ">W" + std::to_string(k))) << k;
   EXPECT_FALSE(holds(svgOf(plan, scaled(100)), "No space"));
   EXPECT_EQ(lineLength("A-ANNO-DIMS", dxfOf(plan, scaled(100))) > 0, true);
   stack(90);

@@ -58,7 +58,17 @@ TEST(OpeningGaps, CutTheFacesOfTheirWall)
   const PlanElement bow = arc({0, 0}, 3, 0, 180);
   const auto parts = cutAtGaps(bow, {curved});
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_NEAR(bow.length() - parts[0].length() - parts[1].length(), 3 * angle, 1e-3);
+  EXPECT_NEAR(bow.length() - parts[0].length() - parts[1].length(), 3 * angle, 1e-9);
+  for (const double degrees : {0.0, 90.0, 180.0, 250.0}) { // from the end of the circle
+    const Eigen::Rotation2Dd turn(degrees * M_PI / 180);
+    OpeningGap wide{"W2", {{{4, -0.8}, {4, 0.8}, {4.2, 0.8}, {4.2, -0.8}}}};
+    for (Eigen::Vector2d& corner : wide.corners)
+      corner = turn * corner;
+    double length = 0;
+    for (const PlanElement& part : cutAtGaps(circle({0, 0}, 4).elements[0], {wide}))
+      length += part.length();
+    EXPECT_NEAR(length, 4 * (2 * M_PI - 2 * std::asin(0.8 / 4)), 1e-9) << degrees;
+  }
 }
 
 TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)

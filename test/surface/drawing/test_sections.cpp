@@ -257,6 +257,17 @@ TEST(Elevations, HaveTheAreaOfTheWalls)
       << "unrolled";
 }
 
+TEST(Elevations, AnOpeningAcrossTheEndsOfARoundWallIsAsLongAsItIs)
+{
+  Floorplan plan{{roomOf(circle({0, 0}, 2), 2.5)}};
+  plan.openings = {
+      {OpeningKind::Window, {1, 0}, {{1, 0}}, {2, -0.5}, {2, 0.5}, 1, 2, 0, 0.2}};
+  const double length = 2 * 2 * std::atan(0.5 / 2);
+  EXPECT_NEAR(lineLength("A-GLAZ", drawElevations(plan, 1, {DrawingFormat::Dxf})[0]),
+              2 * length + 4 * 1, 1e-6)
+      << "in two parts";
+}
+
 TEST(Elevations, OfLargeRoomsHaveSeveralRowsForALargerScale)
 {
   // 70 m of walls are 350 mm at 1:200; one of 20 m is 267 mm at 1:75.
