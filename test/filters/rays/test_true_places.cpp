@@ -93,6 +93,19 @@ private:
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
 
+TEST(TruePlaces, TheCornerOfARoomIsNone)
+{
+  constexpr float voxel = 0.05F;
+  const TwoRooms rooms(1);
+  for (const Vector3f& corner : {Vector3f(0, 0, 0), Vector3f(0.04F, 0.05F, 0)}) {
+    ScanPositions positions = rooms.positions;
+    positions[0].place = corner;
+    const MirroredPoints found = rooms.found(positions, voxel);
+    ASSERT_EQ(found.untrue.size(), 1u);
+    EXPECT_EQ(found.untrue[0], corner);
+  }
+}
+
 TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
 {
   constexpr float voxel = 0.1F;

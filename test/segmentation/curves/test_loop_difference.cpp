@@ -30,6 +30,22 @@ TEST(LoopDifference, TwoDiscsShareALens)
   EXPECT_NEAR(parts[0].area(), 50 * std::acos(0.8) - 24, 1e-9);
 }
 
+TEST(LoopDifference, AnIntersectionIsWhatBothHold)
+{
+  const PlanLoop loop = rectangle(0, 0, 4, 3);
+  const auto areaWith = [&](const PlanLoop& other) {
+    const auto parts = intersection(loop, other);
+    EXPECT_EQ(parts.size(), 1u);
+    return parts.empty() ? 0 : parts[0].area();
+  };
+  EXPECT_NEAR(areaWith(rectangle(3, 1, 6, 2)), 1, 1e-9);
+  EXPECT_NEAR(areaWith(rectangle(1, 1, 2, 2)), 1, 1e-9) << "within";
+  EXPECT_NEAR(areaWith(rectangle(3, 0, 6, 3)), 3, 1e-9) << "two sides in line";
+  EXPECT_NEAR(areaWith(rectangle(0, 0, 4, 3)), 12, 1e-9) << "the same";
+  EXPECT_NEAR(areaWith(rectangle(-1, -1, 5, 4)), 12, 1e-9) << "around";
+  EXPECT_TRUE(intersection(loop, rectangle(4, 0, 6, 3)).empty()) << "beside";
+}
+
 TEST(LoopDifference, AnIntersectionMayHaveSeveralParts)
 {
   const auto parts = intersection(

@@ -162,6 +162,15 @@ TEST(RoomsAboveRooms, TheLowestOfThemCounts)
   }
 }
 
+TEST(RoomsAboveRooms, AndTheLowestPartOfTheirFloors)
+{
+  Floorplan plan = hallBelowGallery();
+  plan.rooms[1].floor_details = {roofOver(rectangle(4.5, 1, 5, 3), 2.6, 0)};
+  endBelowRoomsAbove(plan, Priors());
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.2, 2}), 2.69, 1e-9);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.8, 2}), 2.59, 1e-9);
+}
+
 TEST(RoomsAboveRooms, RaiseNoCeiling)
 {
   // It rises from 2.2 to 3.2 m and crosses the floor above.

@@ -34,6 +34,7 @@ TEST(ScanTilt, IsThatOfTheWallsAndIsTakenOutByALevelling)
         const RoomPoints points = turned(plan, turn, noise);
         const ScanTilt tilt = tiltOf(points.view(), points.all());
         EXPECT_NEAR(tilt.angle / degree, degrees, 0.1);
+        EXPECT_EQ(tilt.up, tiltOf(points.view(), points.all(), 3).up);
         EXPECT_GT(tilt.area, 20) << "of 48 square metres of floor and ceiling";
         const Levelling levelling = Levelling::of(tilt.up, {30, -20, 5});
         // A corner of the room, 5 m up.
@@ -53,6 +54,18 @@ TEST(ScanTilt, IsThatOfASmallRoomToo)
     const RoomPoints points = turned(plan, about({0.6, -0.8, 0}, degrees), 0.005);
     EXPECT_NEAR(tiltOf(points.view(), points.all()).angle / degree, degrees, 0.3);
   }
+}
+
+TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
+{
+  // All walls are tilted by 1.5 degrees in the same direction: the room is sheared.
+  RoomPoints room(0.05, 0.003);
+  room.room(rectangle(0, 0, 6, 4), 0, 2.5);
+  RoomPoints sheared;
+  for (const int i : room.all())
+    sheared.point(room[i].x() + std::tan(1.5 * degree) * room[i].z(), room[i].y(),
+                  room[i].z());
+  EXPECT_EQ(tiltOf(sheared.view(), sheared.all()).angle, 0);
 }
 
 TEST(ScanTilt, ALevelScanHasNoneAndNorHasNothing)
