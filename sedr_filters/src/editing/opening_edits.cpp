@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
 #include "../plan/missing_things.h"
+#include "../plan/opening_wall.h"
 #include "../walls/face_pairs.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
@@ -70,9 +71,9 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
   opening.kind = kind;
   const double width = to.width.value_or(opening.width());
   const double height = to.height.value_or(opening.height());
-  if (!(std::min(width, height) >= exact))
-    return formatText("an opening is at least %.2f m wide and high, not %g x %g m",
-                      exact, width, height);
+  if (!(std::min(width, height) > no_opening))
+    return formatText("an opening is more than %.2f m wide and high, not %g x %g m",
+                      no_opening, width, height);
   const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
   const Eigen::Vector2d half = width / 2 * (opening.end - opening.start).normalized();
   opening.start = middle - half;

@@ -9,6 +9,8 @@
 
 namespace pcl::sedr {
 
+constexpr double no_opening = 0.05; ///< width and height up to which it is none, metres
+
 /** @brief Returns the element of a room's boundary that is nearest to an opening,
  * within 30 degrees and half a metre of its faces; nothing if there is none. */
 inline std::optional<std::size_t>

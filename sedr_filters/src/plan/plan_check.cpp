@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -166,39 +167,46 @@ checkName(const std::string& name, const std::string& what)
                                       " characters, not " +
                                       std::to_string(letters.size()));
   const auto odd = std::find_if_not(letters.begin(), letters.end(), isPrintable);
-  require(odd == letters.end(), what + " has a character that cannot be printed, the " +
-                                    std::to_string(odd - letters.begin() + 1) +
-                                    ". one");
+  require(odd == letters.end(), "character " +
+                                    std::to_string(odd - letters.begin() + 1) + " of " +
+                                    what + " cannot be printed");
 }
 
-/** @brief Checks that the ceiling is above the floor somewhere along the walls. */
+/** @brief Checks that the ceiling is above the floor somewhere along the walls or the
+ * edges of details. */
 void
 checkHeight(const PlanRoom& room)
 {
   constexpr double beside = 0.01; // metres
   Eigen::Vector2d p;
-  const auto& walls = room.boundary.elements;
+  std::vector<PlanElement> edges = room.boundary.elements;
+  for (const auto* details : {&room.details, &room.floor_details})
+    for (const PlanDetail& detail : *details)
+      edges.insert(edges.end(), detail.boundary.elements.begin(),
+                   detail.boundary.elements.end());
   const bool is_above =
-      std::any_of(walls.begin(), walls.end(), [&](const PlanElement& e) {
+      std::any_of(edges.begin(), edges.end(), [&](const PlanElement& e) {
         const double middle = e.length() / 2;
         p = e.pointAt(middle) + beside * e.normalAt(middle);
         return room.ceilingAt(p) > room.floorAt(p);
       });
   require(is_above, "the ceiling of room " + std::to_string(room.id) + ", at z " +
-                        numberText(room.ceilingAt(p)) +
+                        shortDecimalText(room.ceilingAt(p), 3) +
                         " m, must be above its floor, at " +
-                        numberText(room.floorAt(p)));
+                        shortDecimalText(room.floorAt(p), 3));
 }
 
-/** @brief Checks that no tilted walls meet below the ceiling. */
+/** @brief Checks that no tilted walls meet below the ceiling over them. */
 void
 checkTilts(const PlanRoom& room)
 {
   if (!isTilted(room))
     return;
-  const double head = headOf(room);
-  const std::string which = "the tilted walls of room " + std::to_string(room.id) +
-                            " meet below its ceiling at z " + numberText(head) + " m: ";
+  const auto meetBelow = [&](double z) {
+    return "the tilted walls of room " + std::to_string(room.id) +
+           " meet below its ceiling at z " + numberText(z) + " m: ";
+  };
+  double lowest = std::numeric_limits<double>::infinity(); // of the walls' heads
   for (std::size_t i = 0; i < room.boundary.elements.size(); ++i) {
     const PlanElement& foot = room.boundary.elements[i];
     const auto sizeAt = [&](double z) { // linear in z
@@ -206,14 +214,17 @@ checkTilts(const PlanRoom& room)
       return foot.isArc() ? wall.radius
                           : (wall.end - wall.start).dot(foot.end - foot.start);
     };
+    const double head = headOf(room, i);
+    lowest = std::min(lowest, head);
     const double size = sizeAt(head);
-    require(size > 0, which + "nothing is left of wall " + std::to_string(room.id) +
-                          "." + std::to_string(i + 1) + " from z " +
-                          numberText(head + size / (sizeAt(head - 1) - size)) +
-                          " m on");
+    require(size > 0,
+            meetBelow(head) + "nothing is left of wall " + std::to_string(room.id) +
+                "." + std::to_string(i + 1) + " from z " +
+                numberText(head + size / (sizeAt(head - 1) - size)) + " m on");
   }
-  const std::string problem = outlineProblem(boundaryAt(room, head));
-  require(problem.empty(), which + "its outline there " + problem);
+  const std::string problem = outlineProblem(boundaryAt(room, lowest));
+  require(problem.empty() || !outlineProblem(room.boundary).empty(),
+          meetBelow(lowest) + "its outline there " + problem);
 }
 
 void
@@ -314,6 +325,7 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
                 wall.element < findRoom(plan, wall.room)->boundary.elements.size(),
             "an opening names wall " + std::to_string(wall.element) + " of room " +
                 std::to_string(wall.room) + ", which the plan does not have");
+  checkRange(opening.number, 0, 1e6, "the number of an opening", "");
   checkPlace(opening.start);
   checkPlace(opening.end);
   checkLength(opening.bottom, "an opening's bottom");

@@ -122,23 +122,31 @@ boundaryAt(const PlanRoom& room, double z)
 }
 
 double
-headOf(const PlanRoom& room)
+headOf(const PlanRoom& room, std::size_t wall)
 {
   constexpr int steps = 16;
   constexpr double inside = 0.01; // metres
+  const PlanElement& e = room.boundary.elements[wall];
+  const double foot = footOf(room, e);
   double head = -std::numeric_limits<double>::infinity();
-  for (const PlanElement& wall : room.boundary.elements) {
-    const double run = std::tan(wall.tilt);
-    const double foot = footOf(room, wall);
-    for (int k = 0; k <= steps && run != 0; ++k) {
-      const double s = wall.length() * (k + 0.5) / (steps + 1);
-      const auto ceilingOver = [&](double height) {
-        const double out = run * (height - foot) + inside;
-        return room.ceilingAt(wall.pointAt(s) + out * wall.normalAt(s));
-      };
-      head = std::max(head, ceilingOver(ceilingOver(foot)));
-    }
+  for (int k = 0; k <= steps; ++k) {
+    const double s = e.length() * (k + 0.5) / (steps + 1);
+    const auto ceilingOver = [&](double height) {
+      const double out = std::tan(e.tilt) * (height - foot) + inside;
+      return room.ceilingAt(e.pointAt(s) + out * e.normalAt(s));
+    };
+    head = std::max(head, ceilingOver(ceilingOver(foot)));
   }
+  return head;
+}
+
+double
+headOf(const PlanRoom& room)
+{
+  double head = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < room.boundary.elements.size(); ++i)
+    if (room.boundary.elements[i].tilt != 0)
+      head = std::max(head, headOf(room, i));
   return std::isfinite(head) ? head : room.ceiling.heightAt({0, 0});
 }
 

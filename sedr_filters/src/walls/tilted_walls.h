@@ -22,6 +22,9 @@ PlanElement wallAt(const PlanRoom& room, std::size_t wall, double z);
  * position there. If a wall has no length at that height, the loop crosses itself. */
 PlanLoop boundaryAt(const PlanRoom& room, double z);
 
+/** @brief Returns the maximum height of the top of a wall. */
+double headOf(const PlanRoom& room, std::size_t wall);
+
 /** @brief Returns the maximum height of the tops of a room's tilted walls. */
 double headOf(const PlanRoom& room);
 

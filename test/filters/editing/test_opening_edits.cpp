@@ -84,10 +84,10 @@ TEST(PlanEditor, AnOpeningGetsAnotherSizeAboutItsMiddle)
             "opening would from 1.500 to 2.700 m");
   change.width = -0.8;
   EXPECT_EQ(refusal(editor.setOpening("D1", change), editor),
-            "an opening is at least 0.01 m wide and high, not -0.8 x 1.2 m");
-  change.width = 0.0001;
+            "an opening is more than 0.05 m wide and high, not -0.8 x 1.2 m");
+  change.width = 0.05;
   EXPECT_EQ(refusal(editor.setOpening("D1", change), editor),
-            "an opening is at least 0.01 m wide and high, not 0.0001 x 1.2 m");
+            "an opening is more than 0.05 m wide and high, not 0.05 x 1.2 m");
 }
 
 TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)

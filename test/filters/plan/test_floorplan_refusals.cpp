@@ -124,15 +124,26 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
            {"must be above its bottom", [](Floorplan& p) { p.openings[0].top = -1; }},
            {"the ceiling of room 2, at z -1 m, must be above its floor, at 0",
             [](Floorplan& p) { p.rooms[1].ceiling = slabAt(-1); }},
+           {"at z 0 m, must be above its floor, at 0",
+            [](Floorplan& p) { p.rooms[1].ceiling = slabAt(0); }},
            {"", [](Floorplan& p) { p.rooms[1].ceiling = slabAt(-4, 1); }},
+           {"",
+            [](Floorplan& p) {
+              p.rooms[1].ceiling = slabAt(0);
+              p.rooms[1].details = {detailOf(rectangle(6, 1, 7, 2), 2.5)};
+            }},
+           {"the number of an opening must lie from 0 to 1e+06, it is 4.29497e+09",
+            [](Floorplan& p) { p.openings[0].number = 4294967295; }},
            {"two openings have the number D1",
             [](Floorplan& p) {
               p.openings[0].number = 1;
               p.openings.push_back(p.openings[0]);
             }},
            {"", [](Floorplan& p) { p.rooms[1].name = std::string(255, 'L'); }},
-           {"cannot be printed, the 3. one",
+           {"character 3 of the name of room 2 cannot be printed",
             [](Floorplan& p) { p.rooms[1].name = "K\xc3\xbc\x01"; }},
+           {"character 1 of the name of room 2 cannot be printed",
+            [](Floorplan& p) { p.rooms[1].name = "\xe2\x80\x8f"; }}, // right to left
            {"at most 255 characters, not 256",
             [](Floorplan& p) { p.rooms[1].name = std::string(256, 'L'); }},
            {"a stair's top must not be below its bottom",
@@ -167,9 +178,8 @@ TEST(FloorplanRefusals, TiltedWallsMeetAboveTheCeiling)
       const double meet = 1.5 / std::tan(degrees * M_PI / 180);
       const std::string problem = refusalOf(floorplanToJson(plan));
       std::ostringstream z;
-      z << "the tilted walls of room 7 meet below its ceiling at z 4 m: nothing is "
-           "left "
-           "of wall 7."
+      z << "the tilted walls of room 7 meet below its ceiling at z 4 m: "
+           "nothing is left of wall 7."
         << (all ? 1 : 2) << " from z " << meet << " m on";
       EXPECT_NE(problem.find(meet > 4 ? "" : z.str()), std::string::npos) << problem;
       EXPECT_EQ(problem.empty(), meet > 4) << problem;
@@ -196,6 +206,32 @@ TEST(FloorplanRefusals, TiltedWallsOfAWaistMeetAboveTheCeiling)
   EXPECT_EQ(refusalOf(floorplanToJson(plan)), "") << "2 m apart, they meet at 2.75 m";
   walls[2].tilt = walls[8].tilt = 24 * M_PI / 180;
   EXPECT_NE(refusalOf(floorplanToJson(plan)).find("crosses itself"), std::string::npos);
+}
+
+TEST(FloorplanRefusals, TiltedWallsMeetBelowTheirOwnCeilingsOnly)
+{
+  Floorplan plan{{roomOf(polygon({{0, 0},
+                                  {2, 0},
+                                  {2, 0.3}, // a pilaster below a void
+                                  {2.4, 0.3},
+                                  {2.4, 0},
+                                  {6, 0},
+                                  {6, 4},
+                                  {0, 4}}),
+                         2.5)}};
+  plan.rooms[0].boundary.elements[0].tilt = 3 * M_PI / 180;
+  plan.rooms[0].details = {detailOf(rectangle(0, 0, 1.9, 4), 9)};
+  EXPECT_EQ(refusalOf(floorplanToJson(plan)), "");
+  plan.rooms[0].details = {detailOf(rectangle(0, 0, 2.2, 4), 9)};
+  EXPECT_NE(refusalOf(floorplanToJson(plan)).find("nothing is left of wall 1.2 from z"),
+            std::string::npos);
+}
+
+TEST(FloorplanRefusals, AnOutlineThatCrossesItselfAtItsFootIsNoMatterOfTilts)
+{
+  Floorplan plan{{roomOf(polygon({{0, 0}, {3, 0}, {3, 3}, {1, -1}, {0, 3}}), 2.5)}};
+  plan.rooms[0].boundary.elements[1].tilt = M_PI / 180;
+  EXPECT_EQ(refusalOf(floorplanToJson(plan)), "");
 }
 
 TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)

@@ -40,9 +40,10 @@ std::string floorplanToJson(const Floorplan& plan);
  *   enclose no area;
  * - floors and ceilings whose normal is tilted by more than 60 degrees or not of unit
  *   length (within 1e-3 it is normalised), walls tilted by more than 45 degrees;
- * - ceilings that are nowhere above the floor, tilted walls that meet below the
- *   ceiling;
- * - room ids that are 0 or occur twice, openings of one kind and number;
+ * - ceilings that are above the floor neither along walls nor along details, tilted
+ *   walls that meet below the ceiling over them;
+ * - room ids that are 0 or occur twice, openings of one kind and number, or numbers
+ *   above 1e6;
  * - names that are not printable UTF-8 or have more than 255 characters;
  * - a max_wall out of the range of the prior.
  *
