@@ -2,7 +2,6 @@
 #include "../adjust/plan_adjustment.h"
 #include "../curves/joined_elements.h"
 #include "../niches/niche_fit.h"
-#include "../niches/niche_panes.h"
 #include "../scan/scan_excerpt.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
@@ -137,8 +136,6 @@ fitFloorplan(const PlanInput& input,
     return problem;
   const PointView scan = has_raw ? input.raw : input.points;
   const pcl::Indices& of_scan = has_raw ? raw_indices : input.indices;
-  if (has_raw)
-    leaveOutPanes(plan, input.raw, raw_indices, priors);
   AdjustmentParameters adjustment;
   adjustment.threads = parameters.threads;
   problem = adjustPlan(plan, scan, of_scan, adjustment).problem;
