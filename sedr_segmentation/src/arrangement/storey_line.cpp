@@ -32,31 +32,22 @@ clean(std::vector<float>& bins)
     }
 }
 
-/** @brief Returns where along a line another one meets it whose surface reaches up to
- * the ceiling there or not far away, as in a hidden corner. */
-std::vector<double>
-crossingsOf(const StoreyLine& line, const StoreyLine& other)
+/** @brief Checks whether a surface up to the ceiling is seen on a line at a place of
+ * it, or near enough to go on there hidden. A turn that goes on is seen. */
+bool
+mayReach(const StoreyLine& line, const Eigen::Vector2d& p)
 {
-  constexpr double parallel = 0.7; // cosine
-  std::vector<double> crossings;
-  for (const Eigen::Vector2d& p : intersections(line.curve, other.curve)) {
-    const double s = line.along(p);
-    const double t = other.along(p);
-    if (s < line.from || s >= line.to || t < other.from - max_hidden ||
-        t > other.to + max_hidden ||
-        std::abs(line.curve.tangentAt(p).dot(other.curve.tangentAt(p))) > parallel)
-      continue;
-    const auto first = other.tall.begin();
-    const auto bin = [&](double at) {
-      return first +
-             static_cast<std::ptrdiff_t>(
-                 (std::clamp(at, other.from, other.to) - other.from) / StoreyLine::bin);
-    };
-    if (std::any_of(bin(t - max_hidden), bin(t + max_hidden) + 1,
-                    [](float v) { return v > 0; }))
-      crossings.push_back(s);
-  }
-  return crossings;
+  const double hidden = line.curve.isCircle() ? 0 : max_hidden;
+  const double t = line.along(p);
+  if (t < line.from - hidden || t > line.to + hidden)
+    return false;
+  const auto binAt = [&](double at) {
+    return line.tall.begin() +
+           static_cast<std::ptrdiff_t>(
+               (std::clamp(at, line.from, line.to) - line.from) / StoreyLine::bin);
+  };
+  return std::any_of(binAt(t - hidden), binAt(t + hidden) + 1,
+                     [](float v) { return v > 0; });
 }
 
 /** @brief Returns the way back, or on, from each bin to the next one with a surface,
@@ -186,30 +177,36 @@ void
 LineEvidence::extendToCorners(const std::vector<StoreyLine>& lines,
                               StoreyLine& line) const
 {
-  constexpr double past = 0.1; // metres
+  constexpr double past = 0.1;     // metres
+  constexpr double parallel = 0.7; // cosine
   if (line.curve.isCircle() || line.edges.empty())
     return;
-  StoreyLine longer = line;
-  longer.from = line.edges.front() - max_hidden;
-  longer.to = line.edges.back() + max_hidden;
-  double before = -1e9; // the next corners
-  double after = 1e9;
+  const double first = line.edges.front() - max_hidden;
+  const double last = line.edges.back() + max_hidden;
+  Eigen::AlignedBox2d box(line.at(first));
+  box.extend(line.at(last));
   const Eigen::Vector2d hidden = Eigen::Vector2d::Constant(max_hidden); // of others
-  const Eigen::AlignedBox2d box(longer.box().min() - hidden,
-                                longer.box().max() + hidden);
+  box = {box.min() - hidden, box.max() + hidden};
+  double before = first - 1; // the next corners
+  double after = last + 1;
   for (const StoreyLine& other : lines) {
     if (!box.intersects(other.box()))
       continue;
-    for (const double s : crossingsOf(longer, other)) {
+    for (const Eigen::Vector2d& p : intersections(line.curve, other.curve)) {
+      const double s = line.along(p);
+      if ((s >= line.from && s <= line.to) ||
+          std::abs(line.curve.tangentAt(p).dot(other.curve.tangentAt(p))) > parallel ||
+          !mayReach(other, p))
+        continue;
       if (s < line.from)
         before = std::max(before, s);
-      if (s > line.to)
+      else
         after = std::min(after, s);
     }
   }
-  if (before >= longer.from)
+  if (before >= first)
     line.from = before - past;
-  if (after <= longer.to)
+  if (after <= last)
     line.to = after + past;
   observe(line);
 }

@@ -23,7 +23,7 @@ struct StoreyLine : FaceCurve {
     Partly, ///< below or above it goes on, as at a window or a door
     Gap,    ///< between two parts of the surface: a passage, a cupboard before it
     Beyond, ///< past an end of the surface
-    Nothing ///< farther away
+    Nothing ///< none of these: an edge away from the ends of its faces
   };
 
   bool is_end = false; ///< no surface: a face ends there

@@ -40,7 +40,9 @@ appendEdges(std::vector<StoreyLine>& lines)
         if (across->is_end) {
           Eigen::AlignedBox2d& of =
               ends[static_cast<std::size_t>(across - lines.begin()) - faces];
-          across->curve.point = of.extend(p).center();
+          const Eigen::Vector2d to_middle = of.extend(p).center() - across->curve.point;
+          const Eigen::Vector2d normal = leftOf(across->curve.direction);
+          across->curve.point += normal.dot(to_middle) * normal;
         }
         continue;
       }

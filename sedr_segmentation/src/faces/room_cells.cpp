@@ -295,8 +295,10 @@ gatherWalls(const PointView& points,
           filled |= bins_of_base[cells.seen.indexOf(beside)];
     const double height =
         cells.top[i] - std::max<double>(cells.bottom[i], cells.floor) - 2 * p.rim;
-    const double all = std::clamp(height / p.bin, 1.0, 63.0);
-    return static_cast<float>(std::min(1.0, __builtin_popcountll(filled) / all));
+    const double all = std::max(1.0, height / p.bin);
+    const double above = filled >> 63U != 0 ? std::max(0.0, all - 64) : 0; // one bin
+    return static_cast<float>(
+        std::min(1.0, (__builtin_popcountll(filled) + above) / all));
   };
   for (const Place& place : places) {
     if (endsBelow(place.cell))

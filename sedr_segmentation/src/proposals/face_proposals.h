@@ -24,7 +24,8 @@ struct RadiusRange {
 };
 
 constexpr double long_face = 1; ///< metre: of a wall, not of a thing
-constexpr double max_gap = 2.5; ///< metres, within a line along a main direction
+constexpr double max_gap =
+    2.5; ///< metres, within a proposed line: a labelling closes more
 
 /** @brief The curves of faces, and the directions of most of them. */
 struct FaceCurves {
