@@ -16,6 +16,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -367,6 +368,17 @@ std::string
 roomProblem(const PlanRoom& room)
 {
   return planProblem({{room}});
+}
+
+std::string
+mendTilts(PlanRoom& room)
+{
+  const std::string problem = roomProblem(room);
+  PlanRoom straight = withVerticalWalls(room);
+  if (problem.empty() || !roomProblem(straight).empty())
+    return problem;
+  room = std::move(straight);
+  return "its walls are vertical in the plan: " + problem;
 }
 
 std::string

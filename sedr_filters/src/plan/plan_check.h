@@ -18,4 +18,8 @@ std::string planProblem(const Floorplan& plan);
 /** @brief Returns what planProblem() finds in a room. */
 std::string roomProblem(const PlanRoom& room);
 
+/** @brief Makes the walls of a room vertical if it can be read only then.
+ * @return what is wrong with the room, or was; an empty text if nothing */
+std::string mendTilts(PlanRoom& room);
+
 } // namespace pcl::sedr

@@ -9,10 +9,7 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/plan/plan_check.h"
-#include "sedr_filters/src/plan/plan_check.h"
 #include "sedr_filters/src/walls/plan_evidence.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
@@ -153,14 +150,8 @@ fitFloorplan(const PlanInput& input,
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);
   for (PlanRoom& room : plan.rooms)
-    if (const std::string wrong = roomProblem(room); isTilted(room) && !wrong.empty()) {
-      room = withVerticalWalls(std::move(room));
-      warnings.push_back({WarningKind::Contradiction,
-                          {},
-                          room.id,
-                          0,
-                          "its walls are vertical in the plan: " + wrong});
-    }
+    if (const std::string wrong = mendTilts(room); !wrong.empty())
+      warnings.push_back({WarningKind::Contradiction, {}, room.id, 0, wrong});
   for (const PlanRoom& room : plan.rooms)
     for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
       if (const double tilt = room.boundary.elements[e].tilt; tilt != 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_storeys.h"
 
+#include "sedr_filters/src/plan/plan_check.h"
+#include "sedr_filters/src/walls/tilted_walls.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
@@ -232,6 +234,19 @@ TEST(FloorplanRefusals, AnOutlineThatCrossesItselfAtItsFootIsNoMatterOfTilts)
   Floorplan plan{{roomOf(polygon({{0, 0}, {3, 0}, {3, 3}, {1, -1}, {0, 3}}), 2.5)}};
   plan.rooms[0].boundary.elements[1].tilt = M_PI / 180;
   EXPECT_EQ(refusalOf(floorplanToJson(plan)), "");
+}
+
+TEST(FloorplanRefusals, WallsAreVerticalOnlyIfThatMendsTheRoom)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 3, 3), 4, 7);
+  EXPECT_EQ(mendTilts(room), "");
+  room.boundary.elements[0].tilt = room.boundary.elements[2].tilt = 0.4;
+  PlanRoom low = room;
+  EXPECT_EQ(mendTilts(room).find("its walls are vertical in the plan: the tilted"), 0u);
+  EXPECT_FALSE(isTilted(room));
+  low.ceiling = slabAt(-1);
+  EXPECT_EQ(mendTilts(low).find("the ceiling of room 7"), 0u);
+  EXPECT_TRUE(isTilted(low));
 }
 
 TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)
