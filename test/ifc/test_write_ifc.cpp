@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -173,6 +175,43 @@ TEST(WriteIfc, ANetVolumeIsWithoutNichesAndOverlapsCountOnce)
   EXPECT_NEAR(wall.net_area, 4 * 2.5 - open, 1e-6);
   EXPECT_NEAR(wall.gross_volume, gross, 1e-6);
   EXPECT_NEAR(wall.net_volume, gross - open * 0.2 - 0.5 * 1 * 0.1, 1e-6);
+}
+
+TEST(WriteIfc, AnAreaIsFromFloorToCeilingAlongTheWallAndABodyStandsOnItsFloor)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5)}};
+  const auto wall = [&](std::size_t k) { return writeIfc(plan).schedules.walls.at(k); };
+  plan.rooms[0].floor_details = {detailOf(rectangle(1, 0, 1.6, 1), -1)}; // a pit
+  EXPECT_NEAR(wall(0).height, 2.5, 1e-6);
+  EXPECT_NEAR(wall(0).gross_area, 6 * 2.5 + 0.6 * 1, 0.03);
+  plan.rooms[0].floor_details = {detailOf(rectangle(2, 0, 6, 1), 0.3)}; // a stage
+  EXPECT_NEAR(wall(0).height, 2.2, 1e-6);
+  EXPECT_NEAR(wall(0).gross_area, 2 * 2.5 + 4 * 2.2, 0.01);
+  plan.rooms[0].floor_details.clear();
+  plan.rooms[0].details = {detailOf(rectangle(1, 0, 4, 1), 3)}; // a coffer
+  EXPECT_NEAR(wall(0).gross_area, 6 * 2.5 + 3 * 0.5, 0.01);
+  plan.rooms[0].details.clear();
+  SlabCurve barrel; // springs from this wall
+  barrel.centre = {0, 2};
+  barrel.base = barrel.across = barrel.up = 2;
+  plan.rooms[0].ceiling.curve = std::make_shared<const SlabCurve>(barrel);
+  EXPECT_NEAR(wall(0).height, 2, 0.001);
+  EXPECT_NEAR(wall(0).gross_area, 6 * 2, 0.01);
+}
+
+TEST(WriteIfc, AWallOfAHallEndsAtTheWallsOfRoomsAboveTheOneBehind)
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 6, 4), 8), roomOf(rectangle(6.2, 0, 12, 4), 2.4, 2),
+       roomOf(rectangle(6.2, 0, 12, 4), 5, 3), roomOf(rectangle(6.2, 0, 12, 4), 8, 4)}};
+  plan.rooms[2].floor = slabAt(2.7);
+  plan.rooms[3].floor = slabAt(5.3);
+  std::map<std::string, double> heights;
+  for (const WallRow& row : writeIfc(plan).schedules.walls)
+    heights[row.number] = row.height;
+  EXPECT_NEAR(heights["1.2"], 2.7, 1e-6); // that of rooms 1 and 2
+  EXPECT_NEAR(heights["3.4"], 2.3, 1e-6);
+  EXPECT_NEAR(heights["4.4"], 2.7, 1e-6);
 }
 
 /** What is between two circles about one centre and two lines at +-w / 2 from it. */

@@ -82,7 +82,7 @@ rowOf(const IfcDocument& document, const WrittenWall& written)
   std::vector<WallCut> through;
   std::copy_if(written.cuts.begin(), written.cuts.end(), std::back_inserter(through),
                [](const WallCut& cut) { return !cut.is_recess; });
-  row.gross_area = row.length * (written.heights.mean() - written.bottom);
+  row.gross_area = row.length * (written.heights.mean() - written.heights.surplus);
   const double open = (volume({}, {}) - volume({}, through)) / wall.thickness;
   row.net_area = std::max(row.gross_area - open, 0.0);
   row.gross_volume = volume(written.runs, {});
@@ -222,6 +222,44 @@ endAtBodies(const IfcDocument& document, const WallSite& site, WrittenWall& writ
     written.profile = largestPartOutside(written.profile, bodies);
 }
 
+struct StandingWall {
+  WallSite site;
+  WallHeights heights;
+};
+
+/** @brief Ends walls between two rooms, as of a hall, where the wall of a room above or
+ * below one of these stands in the same place, along half of them or more. */
+void
+endAtWallsOfOthers(std::vector<StandingWall>& walls)
+{
+  constexpr double near = 0.05; // metres
+  for (auto& [site, heights] : walls) {
+    const PlanWall& wall = site.wall;
+    if (!wall.other)
+      continue;
+    const RoomHeights behind = pcl::sedr::heightsOf(site.plan.rooms[wall.other->room]);
+    for (const auto& [other, others] : walls) {
+      if (other.wall.other || other.wall.face.room == wall.face.room)
+        continue;
+      const PlanElement& face = elementOf(site.plan, other.wall.face);
+      const Stretch& stretch = other.wall.stretch;
+      Eigen::AlignedBox2d along;
+      for (const double s : {stretch.from, stretch.from + stretch.length()})
+        along.extend(site.frame.toLocal(faceAt(face, s).first));
+      if (along.min().y() < -wall.thickness - near || along.max().y() > near ||
+          std::min(along.max().x(), wall.stretch.length()) -
+                  std::max(along.min().x(), 0.0) <
+              wall.stretch.length() / 2)
+        continue;
+      if (others.bottom > behind.high - near)
+        for (WallHeights::Top& top : heights.tops)
+          top.height = std::min(top.height, others.bottom);
+      if (others.highest() < behind.low + near)
+        heights.bottom = std::max(heights.bottom, others.highest());
+    }
+  }
+}
+
 } // namespace
 
 std::vector<WrittenWall>
@@ -233,12 +271,17 @@ writeWalls(IfcDocument& document)
   std::vector<Eigen::AlignedBox2d> boxes;
   for (const PlanRoom& room : plan.rooms)
     boxes.push_back(boundsOf(room.boundary));
+  const std::vector<PlanWall> walls = findWalls(plan, parameters);
+  std::vector<StandingWall> standing;
+  for (const PlanWall& wall : walls) {
+    standing.push_back({WallSite(plan, wall, boxes), heightsOf(plan, wall)});
+    endAtStoreys(standing.back().site, standing.back().heights);
+  }
+  endAtWallsOfOthers(standing);
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;
-  for (const PlanWall& wall : findWalls(plan, parameters)) {
-    const WallSite site(plan, wall, boxes);
-    WallHeights heights = heightsOf(plan, wall);
-    endAtStoreys(site, heights);
+  for (const auto& [site, heights] : standing) {
+    const PlanWall& wall = site.wall;
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),

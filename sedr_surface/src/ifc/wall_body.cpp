@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace pcl::sedr::ifc {
@@ -159,7 +160,8 @@ linesOf(const Floorplan& plan,
   for (const WallHeights::Top& top : heights.tops) // level beyond the first and last
     appendAcross(plan, wall, top.along, lines);
   for (const WallCut& cut : cuts) {
-    const std::vector<Eigen::Vector2d> corners = cut.plan.polygon(SolidParameters().chord_tolerance);
+    const std::vector<Eigen::Vector2d> corners =
+        cut.plan.polygon(SolidParameters().chord_tolerance);
     for (std::size_t k = 0; k < corners.size(); ++k)
       lines.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
     const Eigen::Vector2d middle =
@@ -191,7 +193,7 @@ WallHeights::highest() const
 double
 WallHeights::mean() const
 {
-  double mean = 0;
+  double mean = -bottom;
   for (std::size_t k = 1; k < tops.size(); ++k)
     mean +=
         (tops[k].along - tops[k - 1].along) * (tops[k].height + tops[k - 1].height) / 2;
@@ -221,33 +223,52 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
   const auto n =
       static_cast<std::size_t>(std::clamp(wall.stretch.length() / step, 4.0, 500.0));
   WallHeights heights;
-  heights.bottom = std::numeric_limits<double>::infinity();
-  double low = heights.bottom;
+  std::vector<std::map<int, std::pair<std::size_t, double>>> floors(sides.size());
   bool slopes = false;
   for (std::size_t i = 0; i <= n; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(n);
     const double s = wall.stretch.from + share * wall.stretch.length();
     const Eigen::Vector2d on_face = faceAt(*sides[0].element, s).first;
     double top = -std::numeric_limits<double>::infinity();
-    for (const Side& side : sides) {
-      const double along = &side == &sides[0] ? s : side.element->project(on_face);
-      const Eigen::Vector2d p = insideAt(*side.element, along);
-      // The slab is looked up away from the walls at the ends of the face, too.
-      const double last = std::max(side.element->length() - off, off);
-      const PlanSlab& slab =
-          slabAbove(side, insideAt(*side.element, std::clamp(along, off, last)));
-      heights.bottom = std::min(heights.bottom, side.room->floorAt(p));
+    double floor = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const Side& side = sides[k];
+      const double length = side.element->length();
+      const double along =
+          std::clamp(k == 0 ? s : side.element->project(on_face), 0.0, length);
+      const Eigen::Vector2d p = faceAt(*side.element, along).first;
+      // The slabs are looked up away from the walls at the ends of the face, too.
+      const Eigen::Vector2d inside =
+          insideAt(*side.element, std::clamp(along, off, std::max(length - off, off)));
+      const int part = side.room->floorDetailAt(inside);
+      const double ground = side.room->floorSlab(part).heightAt(p);
+      auto& [places, lowest] = floors[k].try_emplace(part, 0, ground).first->second;
+      ++places;
+      lowest = std::min(lowest, ground);
+      floor = std::min(floor, ground);
       slopes = slopes || side.slopes;
-      top = std::max(top, slab.heightAt(p));
+      top = std::max(top, slabAbove(side, inside).heightAt(p));
     }
-    low = std::min(low, top);
     heights.tops.push_back({share, top});
+    heights.surplus -=
+        (top - floor) * (i == 0 || i == n ? 0.5 : 1) / static_cast<double>(n);
   }
-  const double high = heights.highest();
-  if (!slopes || high - low < level)
-    heights.tops = {{0, high}, {1, high}};
+  heights.bottom = std::numeric_limits<double>::infinity();
+  for (const auto& of_side : floors)
+    heights.bottom = std::min(
+        heights.bottom, std::max_element(of_side.begin(), of_side.end(),
+                                         [](const auto& one, const auto& other) {
+                                           return one.second.first < other.second.first;
+                                         })
+                            ->second.second);
+  const auto [low, high] = std::minmax_element(
+      heights.tops.begin(), heights.tops.end(),
+      [](const auto& one, const auto& other) { return one.height < other.height; });
+  if (const double highest = high->height; !slopes || highest - low->height < level)
+    heights.tops = {{0, highest}, {1, highest}};
   else
     heights.tops = simplified(heights.tops);
+  heights.surplus += heights.mean();
   return heights;
 }
 

@@ -17,21 +17,25 @@ struct WallHeights {
     double height = 0;
   };
 
-  double bottom = 0;     ///< of the lowest floor beside it, metres
+  double bottom = 0;     ///< of the floor that most of it stands on, metres
   std::vector<Top> tops; ///< two of equal height if it is level
+  /** @brief Metres, in the mean, by which it is higher than from floor to ceiling, as
+   * beside steps of these. */
+  double surplus = 0;
 
   /** @brief Returns whether the wall has one height along its whole face. */
   bool isLevel() const { return tops.size() == 2 && tops[0].height == tops[1].height; }
 
   double highest() const;
-  double mean() const; ///< along the wall
+  double mean() const; ///< from its bottom, along it
   /** @brief Returns the height of the top at a share of the length, on the line between
    * two of `tops`; beyond the ends, that of the end. */
   double topAt(double along) const;
 };
 
-/** @brief Returns the heights of a wall, from the floors and the higher ceiling beside
- * it, without soffits. Below a sloping ceiling its top slopes too. */
+/** @brief Returns the heights of a wall, from the floor that most of it stands on, the
+ * lower one of both sides, to the higher ceiling beside it, without soffits. Below a
+ * sloping ceiling its top slopes too. */
 WallHeights heightsOf(const Floorplan& plan, const PlanWall& wall);
 
 /** @brief How far the sides of a wall are tilted: metres along y for each metre up. */
