@@ -89,10 +89,7 @@ public:
     for (std::size_t e = 0; e < walls.size(); ++e) {
       if (walls[e].tilt == 0)
         continue;
-      PlanRoom alone = withVerticalWalls(room_); // each has a head of its own
-      alone.boundary.elements[e].tilt = walls[e].tilt;
-      const PlanLoop head = boundaryAt(room_, headOf(alone));
-      add(head.elements[e], PlanLayer::Ceiling,
+      add(wallAt(room_, e, headOf(room_, e)), PlanLayer::Ceiling,
           "tilt " + decimalText(std::abs(walls[e].tilt) * 180 / M_PI, 1) + "°");
     }
   }

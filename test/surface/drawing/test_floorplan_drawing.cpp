@@ -318,7 +318,7 @@ TEST(FloorplanDrawing, NumbersOfCrowdedOpeningsStandAtLeadersOrTheNotesTellThem)
   for (int k = 1; k <= 8; ++k)
     EXPECT_TRUE(holds(svgOf(plan, scaled(100)), ">W" + std::to_string(k))) << k;
   EXPECT_FALSE(holds(svgOf(plan, scaled(100)), "No space"));
-  EXPECT_EQ(lineLength("A-ANNO-DIMS", dxfOf(plan, scaled(100))) > 0, true);
+  EXPECT_GT(lineLength("A-ANNO-DIMS", dxfOf(plan, scaled(100))), 0);
   stack(90);
   EXPECT_TRUE(holds(svgOf(plan, scaled(100)), "No space for the number of W"));
 }

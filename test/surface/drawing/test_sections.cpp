@@ -45,8 +45,8 @@ TEST(Sections, HaveTheAreaOfTheSolid)
   attic.ceiling = slabAt(1, 0, 0.5); // rises along y
   EXPECT_NEAR(cutArea(attic, across), 4 * (1 + 3) / 2., 1e-6);
   const double round = cutArea(roomOf(circle({0, 0}, 2), 2.5), {{1, 0}, {1, 1}});
-  EXPECT_NEAR(round, 2 * std::sqrt(3) * 2.5, 2.5 * 2 * 5e-4 / (std::sqrt(3) / 2))
-      << "chords within half a millimetre";
+  EXPECT_NEAR(round, 2 * std::sqrt(3) * 2.5,
+              2.5 * 2 * SolidParameters().chord_tolerance / (std::sqrt(3) / 2));
 }
 
 TEST(Sections, ShowRoomsHeightsAndLevels)

@@ -86,7 +86,8 @@ expectPiece(const Solid& solid, double volume, int euler = 2)
 
 /** Returns the area of the polygon of a loop's facets, not that of the arcs. */
 inline double
-facetArea(const pcl::sedr::PlanLoop& loop, double tolerance = pcl::sedr::SolidParameters().chord_tolerance)
+facetArea(const pcl::sedr::PlanLoop& loop,
+          double tolerance = pcl::sedr::SolidParameters().chord_tolerance)
 {
   return polygon(loop.polygon(tolerance)).area();
 }

@@ -42,7 +42,8 @@ TEST(RoomSolidContradictions, ASoffitFollowsACurvedWall)
   const Solid solid(room);
   const double part = facetArea(hall) - 6 * 8;
   expectPiece(solid, facetArea(hall) * 3 - part * 0.4);
-  const auto facets = PlanLoop{{hall.elements[1]}}.polygon(SolidParameters().chord_tolerance).size();
+  const auto facets =
+      PlanLoop{{hall.elements[1]}}.polygon(SolidParameters().chord_tolerance).size();
   EXPECT_EQ(solid.names().count("room_1_detail_1_edge_2"), 0u);
   EXPECT_LT(solid.mesh.triangles.size(), 6 * facets + 40) << "facets are shared";
 }

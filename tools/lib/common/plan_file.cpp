@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr::tools {
 
@@ -79,17 +80,54 @@ commonVolume(const PlanRoom& a, const PlanRoom& b)
   return volume;
 }
 
+/** @brief What of one kind contradicts itself in a plan. */
+class Contradictions {
+public:
+  Contradictions(std::string claim, std::string unit)
+      : claim_(std::move(claim))
+      , unit_(std::move(unit))
+  {}
+
+  void add(double size, const std::string& which)
+  {
+    constexpr double negligible = 0.1; // square or cubic metres
+    if (size <= negligible)
+      return;
+    ++count_;
+    total_ += size;
+    if (size > most_) {
+      most_ = size;
+      where_ = which;
+    }
+  }
+
+  void tell() const
+  {
+    const auto by = [&](double size) { return formatText(" by %.1f ", size) + unit_; };
+    if (count_ > 0)
+      warn(claim_ + by(total_) + " (places: " + std::to_string(count_) + "), most " +
+           where_ + by(most_) + ": areas and volumes are wrong by as much");
+  }
+
+private:
+  std::string claim_;
+  std::string unit_;
+  std::string where_; ///< the largest
+  std::size_t count_ = 0;
+  double total_ = 0;
+  double most_ = 0;
+};
+
 /** @brief Warns of outlines that cross themselves and of what is at one place: what is
  * made of such a plan is wrong there. */
 void
 warnOfContradictions(const Floorplan& plan)
 {
-  const auto tell = [](const std::string& what, double size, const char* unit) {
-    constexpr double negligible = 0.1; // square or cubic metres
-    if (size > negligible)
-      warn(what + formatText(" by %.1f ", size) + unit +
-           ": areas and volumes are wrong by that, and what is made of them");
-  };
+  Contradictions rooms("rooms overlap", "m3");
+  Contradictions columns("columns overlap", "m2");
+  Contradictions outside("columns reach out of their room", "m2");
+  std::size_t crossed = 0;
+  std::string outline; // the first of these
   const auto areaWithin = [](const PlanLoop& boundary) {
     PlanRoom room;
     room.boundary = boundary;
@@ -97,23 +135,27 @@ warnOfContradictions(const Floorplan& plan)
   };
   for (const PlanRoom& room : plan.rooms) {
     const std::string name = "room " + std::to_string(room.id);
-    if (const std::string problem = outlineProblem(room.boundary); !problem.empty())
-      warn("the outline of " + name + " " + problem +
-           ": its area and what is made of it are wrong");
+    if (const std::string problem = outlineProblem(room.boundary);
+        !problem.empty() && crossed++ == 0)
+      outline = "that of " + name + " " + problem;
     for (const PlanRoom& other : plan.rooms)
       if (other.id > room.id)
-        tell(name + " and room " + std::to_string(other.id) + " overlap",
-             commonVolume(room, other), "m3");
+        rooms.add(commonVolume(room, other),
+                  name + " and room " + std::to_string(other.id));
     for (std::size_t i = 0; i < room.columns.size(); ++i) {
       const PlanRoom column = areaWithin(reversed(room.columns[i]));
       const std::string which = "column " + std::to_string(i + 1) + " of " + name;
-      tell(which + " reaches out of it",
-           column.area() - commonArea(column, areaWithin(room.boundary)), "m2");
+      outside.add(column.area() - commonArea(column, areaWithin(room.boundary)), which);
       for (std::size_t j = i + 1; j < room.columns.size(); ++j)
-        tell(which + " and its column " + std::to_string(j + 1) + " overlap",
-             commonArea(column, areaWithin(reversed(room.columns[j]))), "m2");
+        columns.add(commonArea(column, areaWithin(reversed(room.columns[j]))),
+                    which + " and its column " + std::to_string(j + 1));
     }
   }
+  if (crossed > 0)
+    warn("outlines cannot be right (rooms: " + std::to_string(crossed) + "), " +
+         outline + ": areas and volumes are wrong");
+  for (const Contradictions& kind : {rooms, columns, outside})
+    kind.tell();
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 
 namespace pcl::sedr {
 
-/** @brief How arcs are written: exactly, or as chords within 0.5 mm for programs that
+/** @brief How arcs are written: exactly, or as chords within 0.25 mm for programs that
  * misread IfcArcIndex. */
 enum class IfcArcs { Exact, Facets };
 

@@ -16,7 +16,7 @@ namespace pcl::sedr {
 /** @brief Parameters of extrudeRoom(). */
 struct SolidParameters {
   double chord_tolerance = 0.00025; ///< distance of facets from their arc, metres
-  bool cut_openings = false;       ///< of a plan: see FloorplanExtrusion
+  bool cut_openings = false;        ///< of a plan: see FloorplanExtrusion
 };
 
 /** @brief Result of extruding a room. */
