@@ -357,6 +357,17 @@ TEST(WriteIfc, RoomsThatTouchAtAPassageEndAtAVirtualElement)
   EXPECT_EQ(count(model.text, ",.VIRTUAL.,.INTERNAL."), 2u);
 }
 
+TEST(WriteIfc, ASliverBesideAPassageIsNoWall)
+{
+  for (const double beyond : {0.1, 0.14, 0.2}) { // the walls around end at 0.2 m
+    Floorplan plan = twoRooms();
+    plan.openings[0].start.y() = -beyond;
+    plan.openings[0].end.y() = 3 + beyond;
+    plan.openings[0].top = 2.5;
+    EXPECT_EQ(writeIfc(plan).walls, beyond > 0.1 ? 6u : 7u) << beyond;
+  }
+}
+
 TEST(WriteIfc, TheOriginIsAMapConversion)
 {
   EXPECT_EQ(count(writeIfc(twoRooms()).text, "IFCMAPCONVERSION"), 0u);

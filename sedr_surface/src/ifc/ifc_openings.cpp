@@ -3,6 +3,7 @@
 #include "ifc_parts.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_filters/src/plan/opening_wall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
 constexpr double beside = 0.15;   ///< of a wall, where an opening in it may lie, metres
-constexpr double min_size = 0.05; ///< of what an opening takes of a wall, metres
 
 /** @brief Returns the box of an opening across a wall: along a straight one, square to
  * its own chord through a curved one; false if it is not in this wall. */
@@ -36,7 +36,7 @@ boxIn(const Floorplan& plan,
   const double bottom = opening.bottom - written.bottom;
   box.bottom = bottom < on_floor ? 0 : bottom;
   box.top = opening.top - written.bottom;
-  if (box.top - box.bottom < min_size || box.bottom >= written.top - written.bottom)
+  if (box.top - box.bottom < no_opening || box.bottom >= written.top - written.bottom)
     return false;
   const Eigen::Vector2d start = written.frame.toLocal(opening.start);
   const Eigen::Vector2d end = written.frame.toLocal(opening.end);
@@ -99,7 +99,7 @@ writeGaps(IfcDocument& document,
           !boxIn(document.plan, wall, opening, reach, box))
         continue;
       const PlanLoop plan = box.loop();
-      if (commonArea(wall.profile, {plan}) <= min_size * wall.wall.thickness)
+      if (commonArea(wall.profile, {plan}) <= no_opening * wall.wall.thickness)
         continue;
       const std::string part =
           gaps.empty() ? "" : "_part_" + std::to_string(gaps.size() + 1);
@@ -292,8 +292,9 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
         return isBetween(plan, wall.wall, opening) &&
                boxIn(plan, wall, opening, beside, box) && box.bottom <= 0 &&
                box.top >= wall.top - wall.bottom - min_wall_height &&
-               largestPartOutside(wall.profile, {{box.loop()}})
-                   .boundary.elements.empty();
+               std::abs(
+                   largestPartOutside(wall.profile, {{box.loop()}}).boundary.area()) <
+                   no_area;
       });
 }
 
