@@ -103,6 +103,7 @@ protected:
     pcl::FloorplanExtrusion<pcl::PointXYZ> read;
     read.setFloorplan(
         floorplanFromJson(floorplanToJson(*chain_.getFloorplan()), problem));
+    ASSERT_EQ(problem, "");
     pcl::PolygonMesh unused;
     read.reconstruct(unused);
     const auto& solid = chain_.getStages().extrusion.getMesh();
