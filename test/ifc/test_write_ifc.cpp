@@ -212,6 +212,12 @@ TEST(WriteIfc, AWallOfAHallEndsAtTheWallsOfRoomsAboveTheOneBehind)
   EXPECT_NEAR(heights["1.2"], 2.7, 1e-6); // that of rooms 1 and 2
   EXPECT_NEAR(heights["3.4"], 2.3, 1e-6);
   EXPECT_NEAR(heights["4.4"], 2.7, 1e-6);
+  std::swap(plan.rooms[0].id, plan.rooms[1].id); // and found from the other side
+  std::swap(plan.rooms[0], plan.rooms[1]);
+  double paired = 0;
+  for (const WallRow& row : writeIfc(plan).schedules.walls)
+    paired = std::max(paired, row.other.empty() ? 0 : row.height);
+  EXPECT_NEAR(paired, 2.7, 1e-6);
 }
 
 /** What is between two circles about one centre and two lines at +-w / 2 from it. */

@@ -237,9 +237,12 @@ endAtWallsOfOthers(std::vector<StandingWall>& walls)
     const PlanWall& wall = site.wall;
     if (!wall.other)
       continue;
+    const RoomHeights before = pcl::sedr::heightsOf(site.plan.rooms[wall.face.room]);
     const RoomHeights behind = pcl::sedr::heightsOf(site.plan.rooms[wall.other->room]);
+    const double low = std::max(before.low, behind.low); // of what both rooms share
+    const double high = std::min(before.high, behind.high);
     for (const auto& [other, others] : walls) {
-      if (other.wall.other || other.wall.face.room == wall.face.room)
+      if (other.wall.other)
         continue;
       const PlanElement& face = elementOf(site.plan, other.wall.face);
       const Stretch& stretch = other.wall.stretch;
@@ -251,10 +254,10 @@ endAtWallsOfOthers(std::vector<StandingWall>& walls)
                   std::max(along.min().x(), 0.0) <
               wall.stretch.length() / 2)
         continue;
-      if (others.bottom > behind.high - near)
+      if (others.bottom > high - near)
         for (WallHeights::Top& top : heights.tops)
           top.height = std::min(top.height, others.bottom);
-      if (others.highest() < behind.low + near)
+      if (others.highest() < low + near)
         heights.bottom = std::max(heights.bottom, others.highest());
     }
   }

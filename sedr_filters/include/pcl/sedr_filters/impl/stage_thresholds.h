@@ -15,8 +15,6 @@ struct StageThresholds {
   // Sampling: cells and gaps in which evidence is counted.
   static constexpr double run_gap =
       0.15; ///< maximum gap in a surface, three usual voxels
-  static constexpr double evidence_cell =
-      0.1; ///< edge of a wall cell, in length and height
   static constexpr double patch =
       0.5; ///< edge of a surface patch whose direction is fitted
   static constexpr double cell_fill =
@@ -24,14 +22,11 @@ struct StageThresholds {
   static constexpr double max_enlargement =
       2.5; ///< maximum factor of the cell size in a sparse scan
   static constexpr double min_scan_points =
-      1000;                                ///< minimum number of points of a room
-  static constexpr double min_points = 10; ///< minimum number of points to fit a curve
+      1000; ///< minimum number of points of a room
 
   // The share of an object that was seen.
   static constexpr double share_unseen = 0.05; ///< smaller shares count as nothing
   static constexpr double share_little = 0.2;  ///< smaller shares may be strays
-  static constexpr double share_part = 0.4;    ///< shown by one side of an object
-  static constexpr double share_half = 0.5;    ///< seen of an existing wall
   static constexpr double share_clear = 0.6;   ///< seen of a wall that certainly exists
   static constexpr double share_closed = 0.7;  ///< seen of the back of a niche
   static constexpr double share_most = 0.8;    ///< seen of what certainly exists
