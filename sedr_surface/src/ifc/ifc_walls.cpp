@@ -222,47 +222,6 @@ endAtBodies(const IfcDocument& document, const WallSite& site, WrittenWall& writ
     written.profile = largestPartOutside(written.profile, bodies);
 }
 
-struct StandingWall {
-  WallSite site;
-  WallHeights heights;
-};
-
-/** @brief Ends walls between two rooms, as of a hall, where the wall of a room above or
- * below one of these stands in the same place, along half of them or more. */
-void
-endAtWallsOfOthers(std::vector<StandingWall>& walls)
-{
-  constexpr double near = 0.05; // metres
-  for (auto& [site, heights] : walls) {
-    const PlanWall& wall = site.wall;
-    if (!wall.other)
-      continue;
-    const RoomHeights before = pcl::sedr::heightsOf(site.plan.rooms[wall.face.room]);
-    const RoomHeights behind = pcl::sedr::heightsOf(site.plan.rooms[wall.other->room]);
-    const double low = std::max(before.low, behind.low); // of what both rooms share
-    const double high = std::min(before.high, behind.high);
-    for (const auto& [other, others] : walls) {
-      if (other.wall.other)
-        continue;
-      const PlanElement& face = elementOf(site.plan, other.wall.face);
-      const Stretch& stretch = other.wall.stretch;
-      Eigen::AlignedBox2d along;
-      for (const double s : {stretch.from, stretch.from + stretch.length()})
-        along.extend(site.frame.toLocal(faceAt(face, s).first));
-      if (along.min().y() < -wall.thickness - near || along.max().y() > near ||
-          std::min(along.max().x(), wall.stretch.length()) -
-                  std::max(along.min().x(), 0.0) <
-              wall.stretch.length() / 2)
-        continue;
-      if (others.bottom > high - near)
-        for (WallHeights::Top& top : heights.tops)
-          top.height = std::min(top.height, others.bottom);
-      if (others.highest() < low + near)
-        heights.bottom = std::max(heights.bottom, others.highest());
-    }
-  }
-}
-
 } // namespace
 
 std::vector<WrittenWall>
@@ -271,19 +230,10 @@ writeWalls(IfcDocument& document)
   const Floorplan& plan = document.plan;
   WallParameters parameters{document.settings.max_wall};
   parameters.assumed_thickness = document.settings.assumed_thickness;
-  std::vector<Eigen::AlignedBox2d> boxes;
-  for (const PlanRoom& room : plan.rooms)
-    boxes.push_back(boundsOf(room.boundary));
   const std::vector<PlanWall> walls = findWalls(plan, parameters);
-  std::vector<StandingWall> standing;
-  for (const PlanWall& wall : walls) {
-    standing.push_back({WallSite(plan, wall, boxes), heightsOf(plan, wall)});
-    endAtStoreys(standing.back().site, standing.back().heights);
-  }
-  endAtWallsOfOthers(standing);
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;
-  for (const auto& [site, heights] : standing) {
+  for (const auto& [site, heights] : standingWalls(plan, walls)) {
     const PlanWall& wall = site.wall;
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;

@@ -3,40 +3,13 @@
 
 #include "../walls/plan_area.h"
 #include "sedr_filters/src/walls/plan_walls.h"
+#include "wall_heights.h"
 
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace pcl::sedr::ifc {
-
-/** @brief The heights of a wall. */
-struct WallHeights {
-  struct Top {
-    double along = 0; ///< share of its length, 0 to 1
-    double height = 0;
-  };
-
-  double bottom = 0;     ///< of the floor that most of it stands on, metres
-  std::vector<Top> tops; ///< two of equal height if it is level
-  /** @brief Metres, in the mean, by which it is higher than from floor to ceiling, as
-   * beside steps of these. */
-  double surplus = 0;
-
-  /** @brief Returns whether the wall has one height along its whole face. */
-  bool isLevel() const { return tops.size() == 2 && tops[0].height == tops[1].height; }
-
-  double highest() const;
-  double mean() const; ///< from its bottom, along it
-  /** @brief Returns the height of the top at a share of the length, on the line between
-   * two of `tops`; beyond the ends, that of the end. */
-  double topAt(double along) const;
-};
-
-/** @brief Returns the heights of a wall, from the floor that most of it stands on, the
- * lower one of both sides, to the higher ceiling beside it, without soffits. Below a
- * sloping ceiling its top slopes too. */
-WallHeights heightsOf(const Floorplan& plan, const PlanWall& wall);
 
 /** @brief How far the sides of a wall are tilted: metres along y for each metre up. */
 struct WallRuns {
@@ -54,30 +27,6 @@ WallRuns runsOf(const Floorplan& plan, const PlanWall& wall);
 constexpr double no_area =
     0.001; ///< smaller openings and walls are none, square metres
 constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
-
-/** @brief Returns the height from which on a room below, at a place behind a face, is
- * open to the ceiling before the face. */
-double
-openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p);
-
-/** @brief A wall and what is around it in plan. */
-struct WallSite {
-  const Floorplan& plan;
-  const PlanWall& wall;
-  WallFrame frame;
-  PlanArea band;                 ///< between its face and its far side, in the frame
-  std::vector<std::size_t> near; ///< rooms whose boxes meet that of the band
-
-  /** @param boxes of the rooms */
-  WallSite(const Floorplan& plan,
-           const PlanWall& wall,
-           const std::vector<Eigen::AlignedBox2d>& boxes);
-};
-
-/** @brief Cuts a wall off at the ceilings of rooms below most of it and at the floors
- * of rooms above. One of its own rooms may reach into
- * the storey of another room. */
-void endAtStoreys(const WallSite& site, WallHeights& heights);
 
 /** @brief Returns the plan of a wall in its frame, counter-clockwise, without the rooms
  * at its heights that reach behind its face: beside a niche or at a mitre. A wall that
