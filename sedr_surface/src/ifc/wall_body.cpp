@@ -7,7 +7,6 @@
 
 #include "sedr_filters/src/plan/plan_bounds.h"
 
-
 #include <algorithm>
 #include <utility>
 
