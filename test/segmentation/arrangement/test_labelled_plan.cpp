@@ -91,33 +91,6 @@ TEST(LabelledPlan, WallsMeetInACornerThatIsHiddenFarAlongBoth)
   expectOutline(points, evidenceOf(points, parts), truth, 0.004);
 }
 
-TEST(LabelledPlan, AWallEndsMidwayBetweenTheEndsOfItsFaces)
-{
-  // Of a wall of 0.12 m that ends in the room the end itself was not seen.
-  RoomPoints points(0.05, 0.003);
-  RoomParts parts = points.room(rectangle(0.01, 0.01, 6.01, 5.01), 0, 2.5);
-  for (const auto& face :
-       {segment({0.01, 2.5}, {3, 2.5}), segment({3.06, 2.62}, {0.01, 2.62})})
-    parts.walls = joined(parts.walls, points.wall(face, 0, 2.5));
-  const auto outside = [](const std::vector<int>& of, const RoomPoints& all) {
-    std::vector<int> kept;
-    for (const int i : of)
-      if (const Eigen::Vector3f p = all.view()[static_cast<std::size_t>(i)];
-          !(p.x() < 3.03 && p.y() > 2.5 && p.y() < 2.62))
-        kept.push_back(i);
-    return kept;
-  };
-  parts.floor = outside(parts.floor, points);
-  parts.ceiling = outside(parts.ceiling, points);
-  const Floorplan plan = planOf(points, evidenceOf(points, parts));
-  ASSERT_EQ(plan.rooms.size(), 1U);
-  double end = 0;
-  for (const auto& e : plan.rooms[0].boundary.elements)
-    if (e.start.x() < 4 && e.start.x() > 2)
-      end = std::max(end, e.start.x());
-  EXPECT_NEAR(end, 3.03, 0.03);
-}
-
 TEST(LabelledPlan, EndsWhereTheAirEndsThatWasSeen)
 {
   // Nobody saw the wall at x = 5, nor anything beyond it.
