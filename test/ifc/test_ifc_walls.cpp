@@ -77,6 +77,22 @@ TEST(IfcWalls, AWallOfAHallEndsAtTheWallsOfRoomsAboveTheOneBehind)
   EXPECT_NEAR(paired, 2.7, 1e-6);
 }
 
+TEST(IfcWalls, AnOpeningIsCutInTheWallsWhereItIs)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5),
+                  roomOf(rectangle(6.2, 0, 12, 4), 2.5, 2),
+                  roomOf(rectangle(0, 4.2, 6, 8), 2.5, 3)}};
+  plan.openings = {{OpeningKind::Door, {1, 3}, {}, {6.1, 1}, {6.1, 2}, 0, 2}};
+  std::size_t cut = 0;
+  for (const WallRow& row : writeIfc(plan).schedules.walls)
+    if (row.gross_area - row.net_area > 1e-3) {
+      ++cut;
+      EXPECT_NEAR(row.gross_area - row.net_area, 2, 1e-3) << row.number;
+      EXPECT_TRUE(row.number == "1.2" || row.number == "2.4") << row.number;
+    }
+  EXPECT_GT(cut, 0u);
+}
+
 /** What is between two circles about one centre and two lines at +-w / 2 from it. */
 double
 areaBetween(double inner, double outer, double width)

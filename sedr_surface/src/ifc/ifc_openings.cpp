@@ -67,22 +67,7 @@ boxIn(const Floorplan& plan,
   return true;
 }
 
-bool
-isOf(const Floorplan& plan, const WallFace& face, const PlanOpening& opening)
-{
-  const std::uint32_t id = plan.rooms[face.room].id;
-  return id == opening.rooms[0] || id == opening.rooms[1];
-}
-
-/** @brief Returns whether an opening and a wall are between the same rooms. */
-bool
-isBetween(const Floorplan& plan, const PlanWall& wall, const PlanOpening& opening)
-{
-  return isOf(plan, wall.face, opening) &&
-         (!wall.other || opening.leadsOutside() || isOf(plan, *wall.other, opening));
-}
-
-/** @brief Adds an opening to the walls that it passes through.
+/** @brief Adds an opening to all walls in which it lies, whatever rooms are told of it.
  * @return the gap in each */
 std::vector<WrittenGap>
 writeGaps(IfcDocument& document,
@@ -95,8 +80,7 @@ writeGaps(IfcDocument& document,
   for (const double reach : {beside, far}) {
     for (WrittenWall& wall : walls) {
       OpeningBox box;
-      if (!isBetween(document.plan, wall.wall, opening) ||
-          !boxIn(document.plan, wall, opening, reach, box))
+      if (!boxIn(document.plan, wall, opening, reach, box))
         continue;
       const PlanLoop plan = box.loop();
       if (commonArea(wall.profile, {plan}) <= no_opening * wall.wall.thickness)
@@ -289,8 +273,7 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
   return std::any_of(
       plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
         OpeningBox box;
-        return isBetween(plan, wall.wall, opening) &&
-               boxIn(plan, wall, opening, beside, box) && box.bottom <= 0 &&
+        return boxIn(plan, wall, opening, beside, box) && box.bottom <= 0 &&
                box.top >= wall.top - wall.bottom - min_wall_height &&
                std::abs(
                    largestPartOutside(wall.profile, {{box.loop()}}).boundary.area()) <
