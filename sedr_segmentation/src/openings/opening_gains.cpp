@@ -156,7 +156,8 @@ openingGains(const WallMap& map,
     const double edges = 4 * (map.heightOf(b) - map.heightOf(a)); // metres, of a square
     const bool is_on_floor = map.heightOf(a) < floor + sizes.on_floor;
     const bool is_low = map.heightOf(b) - map.heightOf(a) < sizes.min_head;
-    return weights.edges * std::log(edges / opening_numbers.edge_bin) +
+    const double free_edges = is_on_floor ? 3 : 4;
+    return free_edges * weights.edge * std::log(edges / opening_numbers.edge_bin) +
            (is_on_floor && is_low ? weights.low_head : 0);
   };
   return gains;

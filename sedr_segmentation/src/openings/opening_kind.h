@@ -5,9 +5,10 @@
 
 namespace pcl::sedr {
 
-/** @brief Names the kind of each opening by log-odds of what was measured of it. Below
- * a probability of one half it is unknown, as is a door or passage too low to walk.
- * Only doors have leaves; one that shuts a door within its wall is closed. */
+/** @brief Keeps those that are openings by log-odds of what was measured of them, each
+ * once, and names their kinds. Below a probability of one half a kind is unknown, as is
+ * that of a door or passage too low to walk. Only doors have leaves; one that shuts a
+ * door within its wall is closed. */
 void
 nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& sizes);
 

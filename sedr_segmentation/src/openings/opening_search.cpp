@@ -109,7 +109,7 @@ addWall(const Floorplan& plan, const WallSide& side, PlanOpening& opening)
     opening.walls.push_back({plan.rooms[side.room].id, e});
 }
 
-/** @brief Finds the openings of all sides and keeps each once. */
+/** @brief Finds what may be openings on all sides. */
 class OpeningFinder {
 public:
   OpeningFinder(const Floorplan& plan,
@@ -147,34 +147,11 @@ public:
     std::vector<std::vector<FoundOpening>> on_side(search_.sides.size());
     parallelFor(on_side.size(), 1, parameters_.threads,
                 [&](std::size_t k) { on_side[k] = openingsOn(k); });
-    std::vector<FoundOpening> all;
     for (auto& list : on_side)
-      all.insert(all.end(), list.begin(), list.end());
-    std::stable_sort(
-        all.begin(), all.end(),
-        [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
-    for (const FoundOpening& candidate : all) {
-      const auto same = std::find_if(search_.found.begin(), search_.found.end(),
-                                     [&](const FoundOpening& other) {
-                                       return areSame(other.opening, candidate.opening);
-                                     });
-      if (same == search_.found.end())
-        search_.found.push_back(candidate);
-      // A leaf may be flush with one face: the other side shows the edges.
-      else if (candidate.gain > 0.9 * same->gain && candidate.behind == same->side &&
-               seenInside(candidate) < seenInside(*same))
-        *same = candidate;
-    }
+      search_.found.insert(search_.found.end(), list.begin(), list.end());
   }
 
 private:
-  double seenInside(const FoundOpening& found) const
-  {
-    const WallRectangle& at = found.rectangle;
-    return search_.maps[found.side].shareOf(WallCell::Seen, at.from, at.to, at.bottom,
-                                            at.top);
-  }
-
   std::vector<FoundOpening> openingsOn(std::size_t side) const
   {
     const WallMap& map = search_.maps[side];
@@ -207,9 +184,7 @@ private:
           (candidate.behind == search_.sides.size() ||
            plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
         continue; // no wall with two faces is between a room and itself
-      if (o.bottom - highestFloor(plan_, o) > sizes_.on_floor &&
-          closedShare(candidate) > opening_numbers.max_closed)
-        continue; // a niche; a leaf may be flush with the other face
+      candidate.closed = closedShare(candidate);
       found.push_back(candidate);
     }
     return found;
@@ -242,7 +217,7 @@ private:
    * that face of which more was. */
   double closedShare(const FoundOpening& found) const
   {
-    const double here = seenInside(found);
+    const double here = search_.seenInside(found);
     if (found.behind == search_.sides.size())
       return here;
     const PlanElement& line = search_.sides[found.side].line;
@@ -258,28 +233,34 @@ private:
    * side of the wall: an opening is a hole in a wall. */
   double seenAround(const FoundOpening& candidate, const WallRectangle& at) const
   {
-    const WallSide& side = search_.sides[candidate.side];
+    const PlanElement& line = search_.sides[candidate.side].line;
     const WallMap& map = search_.maps[candidate.side];
     const double step = map.cell();
+    const auto isSeen = [&](double along, double height) {
+      if (map.at(along, height) == WallCell::Seen)
+        return true;
+      return candidate.behind < search_.sides.size() &&
+             search_.maps[candidate.behind].at(
+                 search_.sides[candidate.behind].line.project(line.pointAt(along)),
+                 height) == WallCell::Seen;
+    };
     std::size_t seen = 0;
     std::size_t all = 0;
-    const auto look = [&](double along, double height) {
+    const auto look = [&](double along, double height, double way, double up) {
       ++all;
-      bool is_seen = map.at(along, height) == WallCell::Seen;
-      if (candidate.behind < search_.sides.size()) {
-        const PlanElement& line = search_.sides[candidate.behind].line;
-        is_seen |=
-            search_.maps[candidate.behind].at(line.project(side.line.pointAt(along)),
-                                              height) == WallCell::Seen;
-      }
-      seen += is_seen ? 1 : 0;
+      for (double d = sizes_.beside; d <= 2 * sizes_.beside; d += step)
+        if (isSeen(along + d * way, height + d * up)) {
+          ++seen;
+          return;
+        }
     };
     for (double z = at.bottom + step / 2; z < at.top; z += step) {
-      look(at.from - sizes_.beside, z);
-      look(at.to + sizes_.beside, z);
+      look(at.from, z, -1, 0);
+      look(at.to, z, 1, 0);
     }
     for (double s = at.from + step / 2; s < at.to; s += step)
-      look(s, at.top + sizes_.beside);
+      if (map.at(s, at.top + sizes_.beside) != WallCell::Beyond) // below the ceiling
+        look(s, at.top, 0, 1);
     return all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0;
   }
 
@@ -365,6 +346,35 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
   OpeningFinder finder(plan, parameters, *this);
   finder.makeMaps(points, indices, sight);
   finder.find();
+}
+
+double
+OpeningSearch::seenInside(const FoundOpening& opening) const
+{
+  const WallRectangle& at = opening.rectangle;
+  return maps[opening.side].shareOf(WallCell::Seen, at.from, at.to, at.bottom, at.top);
+}
+
+void
+OpeningSearch::keepEachOnce()
+{
+  std::vector<FoundOpening> all = std::move(found);
+  found.clear();
+  std::stable_sort(
+      all.begin(), all.end(),
+      [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
+  for (const FoundOpening& candidate : all) {
+    const auto same =
+        std::find_if(found.begin(), found.end(), [&](const FoundOpening& other) {
+          return areSame(other.opening, candidate.opening);
+        });
+    if (same == found.end())
+      found.push_back(candidate);
+    // A leaf may be flush with one face: the other side shows the edges.
+    else if (candidate.gain > 0.9 * same->gain && candidate.behind == same->side &&
+             seenInside(candidate) < seenInside(*same))
+      *same = candidate;
+  }
 }
 
 } // namespace pcl::sedr

@@ -21,12 +21,13 @@ struct OpeningParameters {
   unsigned threads = 0; ///< 0: all processors
 };
 
-/** @brief What tells the kind of an opening: 1; 1 if it has a sill; height of the sill,
- * metres; 1 if a room is behind it; how much narrower, wider and higher it is than
- * usual doors; how much lower than usual its lintel and how much thinner its wall is;
- * share of its area that shows something within the wall; share of its jambs and head
- * beside which a wall was seen; 1 if a leaf stands open beside it. */
-using OpeningFeatures = std::array<double, 12>;
+/** @brief What tells whether there is an opening, and of what kind: 1; how far it is
+ * raised, 0 on the floor to 1; height of the sill, metres; 1 if a room is behind it;
+ * how much narrower, wider and higher it is than usual doors; how much lower than usual
+ * its lintel; share of its area that shows something within the wall; share of its
+ * jambs and head beside which a wall was seen; 1 if a leaf stands open beside it; share
+ * of a raised one in which a face was seen; how much lower than usual windows it is. */
+using OpeningFeatures = std::array<double, 13>;
 
 /** @brief An opening on the map of a side. */
 struct FoundOpening {
@@ -36,6 +37,7 @@ struct FoundOpening {
   double gain = 0;   ///< nats
   double filled = 0; ///< share that shows something within the wall
   double around = 0; ///< share of jambs and head beside which a wall was seen
+  double closed = 0; ///< share in which one face was seen, of that of which more was
   PlanOpening opening;
 };
 
@@ -43,7 +45,7 @@ struct FoundOpening {
 struct OpeningSearch {
   std::vector<WallSide> sides;
   std::vector<WallMap> maps;
-  std::vector<FoundOpening> found; ///< each once
+  std::vector<FoundOpening> found;
 
   /** @brief Finds the openings of a plan in a scan.
    * @param sight rays of the scanners; null: unknown */
@@ -52,6 +54,12 @@ struct OpeningSearch {
                 const pcl::Indices* indices,
                 const SightLines* sight,
                 const OpeningParameters& parameters);
+
+  /** @brief Keeps of those that are the same, seen from two sides, the best one. */
+  void keepEachOnce();
+
+  /** @brief Returns the share of an opening in which the face of its side was seen. */
+  double seenInside(const FoundOpening& opening) const;
 };
 
 /** @brief Returns the height of the floor before or behind an opening, the higher one.

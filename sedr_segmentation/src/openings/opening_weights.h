@@ -21,8 +21,8 @@ struct OpeningWeights {
   double unseen_edge = -4; ///< hidden, or nothing on both sides
   double no_edge = -10;    ///< the same on both sides, as inside of an opening
   // An opening.
-  double edges = -2;     ///< times ln(length of its four edges / edge_bin): the cost
-                         ///< of their places by BIC
+  double edge = -0.5;    ///< of each edge that is not on the floor, times
+                         ///< ln(length of all edges / edge_bin): BIC
   double arch = 8;       ///< cost of an arched head: top and rise, by BIC, and that
                          ///< most heads are flat
   double low_head = -15; ///< it stands on the floor, and nobody could walk through
@@ -40,7 +40,8 @@ struct OpeningSizes {
   double before = 1.2;         ///< depth of what hides it
   double on_floor = 0.06;      ///< maximum height of a threshold
   double min_around = 0.3;     ///< share of jambs and head with a wall beside them
-  double beside = 0.1;         ///< distance from them, beyond the points of a corner
+  double beside = 0.1;         ///< distance from them, beyond the points of a corner;
+                               ///< a wall is looked for up to twice as far
   double edge_reach = 0.12;    ///< distance of the true edge from that of the cells
   double usual_lintel = 0.3;   ///< of a usual door below the ceiling
   double leaf_reach = 1.4;     ///< of points before a side that may show a leaf
@@ -66,7 +67,8 @@ struct OpeningNumbers {
   double usual_wall = 0.1;     ///< thickness of a wall with a usual door, metres
   double min_confidence = 0.5; ///< of a kind that is told
   double leaf_cell = 0.1;      ///< of a leaf, metres
-  double max_closed = 0.5;     ///< share of a window in which a face was seen
+  double raised = 0.3;         ///< sill above which no opening is a door, metres
+  double low_window = 0.9;     ///< height of the lowest usual window, metres
   double back_step =
       0.05;               ///< between places where the side behind is looked up, metres
   double same_wall = 0.6; ///< across a wall between both sides of an opening, metres

@@ -132,7 +132,7 @@ WallMap::chooseCell()
   const double height = top_ - base_;
   const double finest = std::max(height / opening_numbers.max_rows,
                                  length_ / opening_numbers.max_columns);
-  for (const double size : {0.025, 0.05, 0.1}) {
+  for (const double size : {0.05, 0.1}) {
     cell_ = std::max(size, finest);
     columns_ = static_cast<std::size_t>(std::ceil(length_ / cell_));
     rows_ = static_cast<std::size_t>(std::max(1.0, std::ceil(height / cell_)));
