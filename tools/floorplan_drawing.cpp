@@ -2,6 +2,7 @@
 #include "bytes/whole_file.h"
 #include "model/solid_files.h"
 #include "plan_file.h"
+#include "results/result_folder.h"
 #include "results/unseen_walls.h"
 #include "run_tool.h"
 #include "tool_error.h"
@@ -93,6 +94,8 @@ main(int argc, char** argv)
     checkDrawingOutput(output);
     const pcl::sedr::PlanDocument file = loadPlan(plan);
     const Floorplan& drawn = file.plan;
+    const auto report = reportBeside(plan);
+    settings.texts = filledIn(settings.texts, report);
     settings.origin = file.origin;
     settings.max_wall = file.max_wall;
     settings.paper = paperNamed(paper);
@@ -106,7 +109,7 @@ main(int argc, char** argv)
     if (room > 0) {
       if (!findRoom(drawn, room))
         throw ToolError(lacksRoom(drawn, room));
-      settings.is_unseen = unseenPlaces(plan, drawn);
+      settings.is_unseen = unseenPlaces(report, drawn);
       writeWhole(output, drawElevations(drawn, room, {formatOf(output)}, settings)[0]);
       return Done;
     }

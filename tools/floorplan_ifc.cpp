@@ -41,7 +41,7 @@ main(int argc, char** argv)
                {"exact", "faceted"});
   options.words("project", settings.name,
                 "name of project and building; GUIDs are made of it and of the scan");
-  options.words("date", settings.date, "of the file, such as 2024-05-31");
+  options.date("date", settings.date, "of the file");
   options.words("drawn-by", settings.author, "author of the file");
   options.text("schedules", schedules,
                "folder for rooms.csv, openings.csv and walls.csv; none: not written");

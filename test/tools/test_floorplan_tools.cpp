@@ -84,7 +84,7 @@ TEST_P(FloorplanTools, BadUseIsRefused)
   expectFailure(run(program(), {plan_file, in("output.txt")}), 1);
   expectFailure(run(program(), {plan_file, in("no_folder/" + output())}), 1);
   for (const auto& option : optionsIn(run(program(), {"-h"}).out)) {
-    const Strings texts{"title", "client", "project", "date", "drawn-by"};
+    const Strings texts{"title", "client", "project", "drawn-by"};
     if (std::count(texts.begin(), texts.end(), option.name) > 0) // any is valid
       continue;
     for (const char* value : {"many", "-1"})
@@ -286,6 +286,21 @@ TEST_F(StoreyDrawings, OfRoomsAndColumnsAtOnePlaceAreDoubted)
         "7 and its column 2 by 0.5 m2"})
     EXPECT_NE(told.find(words), std::string::npos) << told;
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 3) << told;
+}
+
+TEST_F(StoreyDrawings, HaveTheTextsOfTheReportBesideThePlanUnlessOthersAreGiven)
+{
+  std::filesystem::rename(in("plan.json"), in("floorplan.json"));
+  writeFile(in("report.json"), "{\"format\": \"sedr-report\", \"parameters\": "
+                               "{\"client\": \"Smith\", \"drawn_by\": \"EK\"}}");
+  EXPECT_EQ(run(FLOORPLAN_DRAWING, {in("floorplan.json"), in("out.svg"), "--storey",
+                                    "1", "--drawn-by", "Lee"})
+                .exit_code,
+            0);
+  const std::string svg = bytesOf(in("out.svg"));
+  EXPECT_NE(svg.find("Smith"), std::string::npos);
+  EXPECT_NE(svg.find("Lee"), std::string::npos);
+  EXPECT_EQ(svg.find("EK"), std::string::npos);
 }
 
 TEST_F(StoreyDrawings, MayHaveAnEmptyTitle)

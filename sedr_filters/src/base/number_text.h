@@ -55,4 +55,19 @@ shortDecimalText(double value, int decimals)
   return text;
 }
 
+/** @brief Checks whether a text is a day of the calendar as ISO 8601 writes it,
+ * 2024-05-31. */
+inline bool
+isDate(const std::string& text)
+{
+  int year = 0, month = 0, day = 0;
+  char rest = 0;
+  if (text.size() != 10 || text.find_first_not_of("0123456789-") != std::string::npos ||
+      std::sscanf(text.c_str(), "%4d-%2d-%2d%c", &year, &month, &day, &rest) != 3 ||
+      month < 1 || month > 12 || day < 1)
+    return false;
+  const bool is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+  return day <= (month == 2 ? 28 + is_leap : 30 + (month + month / 8) % 2);
+}
+
 } // namespace pcl::sedr

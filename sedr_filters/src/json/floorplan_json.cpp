@@ -135,6 +135,9 @@ from_json(const Json& json, Floorplan& plan)
     throw std::invalid_argument(
         "it has version " + version.dump() + ", versions 1 to " +
         std::to_string(floorplan_format_version) + " can be read");
+  if (json.value("unit", "m") != "m")
+    throw std::invalid_argument("its unit is " + json["unit"].dump() +
+                                ", only the metre, \"m\", can be read");
   json.at("rooms").get_to(plan.rooms);
   if (json.contains("storeys"))
     for (const Json& entry : json.at("storeys")) {

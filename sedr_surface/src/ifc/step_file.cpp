@@ -6,7 +6,6 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include <cstdio>
-#include <regex>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -82,12 +81,10 @@ StepFile::text(const std::string& name,
                const std::string& author,
                const std::string& date) const
 {
-  const bool is_date = std::regex_match(
-      date, std::regex("\\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\\d|3[01])"));
   return "ISO-10303-21;\nHEADER;\n"
          "FILE_DESCRIPTION(('ViewDefinition "
          "[ReferenceView_V1.2]'),'2;1');\nFILE_NAME(" +
-         stepText(name) + ",'" + (is_date ? date : "1970-01-01") + "T00:00:00',(" +
+         stepText(name) + ",'" + (isDate(date) ? date : "1970-01-01") + "T00:00:00',(" +
          stepText(author) +
          "),(''),'SEDR','SEDR','');\n"
          "FILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n" +

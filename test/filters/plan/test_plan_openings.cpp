@@ -233,13 +233,17 @@ TEST(PlanOpenings, DoorwaysOfEarlierVersionsAreNoSecondOpenings)
   EXPECT_NE(problem.find("a doorway has 2 rooms"), std::string::npos) << problem;
 }
 
-TEST(PlanOpenings, AreReadOfVersionsUpToThisOne)
+TEST(PlanOpenings, AreReadOfVersionsUpToThisOneInMetres)
 {
   std::string text = floorplanToJson(planWithADoor());
   text[text.find("\"version\": 3") + 11] = '4';
   std::string problem;
   floorplanFromJson(text, problem);
   EXPECT_NE(problem.find("versions 1 to 3 can be read"), std::string::npos) << problem;
+  text = floorplanToJson(planWithADoor());
+  text.replace(text.find("\"unit\": \"m\"") + 9, 1, "mm");
+  floorplanFromJson(text, problem);
+  EXPECT_NE(problem.find("only the metre"), std::string::npos) << problem;
 }
 
 } // namespace

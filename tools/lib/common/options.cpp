@@ -4,6 +4,8 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/number_text.h"
+
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
@@ -122,6 +124,17 @@ Options::words(const std::string& name, std::string& value, const std::string& h
                           quotedWord(given));
         value = given;
       });
+}
+
+void
+Options::date(const std::string& name, std::string& value, const std::string& help)
+{
+  add(name, help, "such as 2024-05-31", "none", [name, &value](const auto& given) {
+    if (!given.empty() && !isDate(given))
+      throw ToolError("--" + name + " takes a day such as 2024-05-31, not " +
+                      quotedWord(given));
+    value = given;
+  });
 }
 
 void

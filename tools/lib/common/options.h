@@ -137,6 +137,9 @@ public:
   /** @brief Declares a text that is printed, in UTF-8. */
   void words(const std::string& name, std::string& value, const std::string& help);
 
+  /** @brief Declares a day, such as 2024-05-31. */
+  void date(const std::string& name, std::string& value, const std::string& help);
+
   /** @brief Declares a switch, `--name`, which sets `value`. */
   void flag(const std::string& name, bool& value, const std::string& help);
 

@@ -2,6 +2,7 @@
 #include "solid_files.h"
 
 #include "bytes/whole_file.h"
+#include "plan_report.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -88,8 +89,20 @@ addSheetTexts(Options& options, SheetTexts& texts)
   options.words("client", texts.client, "of the title block, as are the next ones");
   options.words("project", texts.project,
                 "name of the project, also in the IFC, whose GUIDs are made of it");
-  options.words("date", texts.date, "such as 2024-05-31, as the IFC takes it");
+  options.date("date", texts.date, "of the sheets and the IFC");
   options.words("drawn-by", texts.drawn_by, "who has drawn it, author of the IFC");
+}
+
+SheetTexts
+filledIn(const SheetTexts& texts, const nlohmann::ordered_json& report)
+{
+  const auto told = report.find("parameters");
+  nlohmann::json filled = texts;
+  if (told != report.end() && told->is_object())
+    for (auto& [name, text] : filled.items())
+      if (text == "" && told->contains(name) && told->at(name).is_string())
+        text = told->at(name).get<std::string>();
+  return filled;
 }
 
 std::vector<DrawingSheet>

@@ -9,6 +9,8 @@
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +44,9 @@ DrawingFormat formatOf(const std::string& path);
 
 /** @brief Declares the options for the texts of sheets. */
 void addSheetTexts(Options& options, SheetTexts& texts);
+
+/** @brief Returns texts of sheets; those that are empty as a report.json tells them. */
+SheetTexts filledIn(const SheetTexts& texts, const nlohmann::ordered_json& report);
 
 /** @brief A drawing to write: its files and its content. */
 struct DrawingSheet {

@@ -133,4 +133,13 @@ ResultFolder::mesh(const std::string& name) const
   return mesh;
 }
 
+ResultFolder::Json
+reportBeside(const std::string& plan_file)
+{
+  const fs::path path(plan_file), report = path.parent_path() / "report.json";
+  return path.filename() == "floorplan.json" && fs::exists(report)
+             ? readReport(report.string())
+             : ResultFolder::Json::object();
+}
+
 } // namespace pcl::sedr::tools

@@ -48,4 +48,8 @@ private:
   Json report_ = Json::object();
 };
 
+/** @brief Returns the report.json beside a floorplan.json; an empty object if there is
+ * none. */
+ResultFolder::Json reportBeside(const std::string& plan_file);
+
 } // namespace pcl::sedr::tools

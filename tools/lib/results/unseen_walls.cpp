@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unseen_walls.h"
 
-#include "result_folder.h"
-
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -51,16 +48,10 @@ withoutRuns(const std::string& runs)
 } // namespace
 
 std::function<bool(std::uint32_t, std::size_t, double, double)>
-unseenPlaces(const std::string& plan_file, const Floorplan& plan)
+unseenPlaces(const nlohmann::ordered_json& report, const Floorplan& plan)
 {
-  const std::filesystem::path path(plan_file);
-  const std::filesystem::path folder = path.parent_path() / "";
-  if (path.filename() != "floorplan.json" ||
-      !std::filesystem::exists(folder / "report.json"))
-    return {};
   std::map<std::pair<std::uint32_t, std::size_t>, WallMap> maps;
-  const ResultFolder result(folder.empty() ? "." : folder.string());
-  for (const auto& told : result.report().value("walls", ResultFolder::Json::array())) {
+  for (const auto& told : report.value("walls", nlohmann::ordered_json::array())) {
     WallMap map{0,
                 told.value("base", 0.0),
                 told.value("cell", 0.0),
