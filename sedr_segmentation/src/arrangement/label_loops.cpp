@@ -240,6 +240,9 @@ loopOf(std::vector<Piece> pieces,
     loop.elements.push_back(elementOf(i, j, curves[i->line], places));
   }
   closeArcs(loop);
+  if (loop.elements.size() == 1 &&
+      2 * std::abs(areaOf(pieces, places)) < std::abs(loop.area()))
+    loop.elements.clear(); // a sliver between an arc and its chord, no circle
   return loop;
 }
 
@@ -289,7 +292,7 @@ labelLoops(const std::vector<CellBorder>& borders,
     }
   }
   const auto isOutside = [&](const PlanLoop& hole) {
-    return !found.outer.contains(hole.elements.front().start);
+    return hole.elements.empty() || !found.outer.contains(hole.elements.front().start);
   };
   found.holes.erase(std::remove_if(found.holes.begin(), found.holes.end(), isOutside),
                     found.holes.end());

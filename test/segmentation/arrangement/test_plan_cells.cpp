@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -38,6 +39,28 @@ TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
     EXPECT_EQ(loop.elements.size(), 4U) << label;
     EXPECT_NEAR(loop.area(), 16, 1e-9) << label;
   }
+}
+
+TEST(LabelLoops, ASliverBetweenAnArcAndItsChordIsNoColumn)
+{
+  // 0.8 m long on a circle of 3 m, 2.7 cm wide, in the middle of a square.
+  const Eigen::Vector2d a(-0.4, std::sqrt(9 - 0.16) - 3), top(0, 0), b(0.4, a.y());
+  PlanCurve circle;
+  circle.point = {0, -3};
+  circle.radius = 3;
+  std::vector<PlanCurve> curves{circle, lineThrough(b, a)};
+  std::vector<CellBorder> borders{{0, a, top, 1, 2},
+                                  {0, top, b, 1, 2},
+                                  {1, b, a, 1, 2}};
+  const Eigen::Vector2d corner[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Eigen::Vector2d &start = corner[k], &end = corner[(k + 1) % 4];
+    borders.push_back({static_cast<std::uint32_t>(curves.size()), start, end, 1, 0});
+    curves.push_back(lineThrough(start, end));
+  }
+  const LabelLoops loops = labelLoops(borders, {0, 1, 0}, 1, curves);
+  EXPECT_EQ(loops.outer.elements.size(), 4U);
+  EXPECT_TRUE(loops.holes.empty());
 }
 
 } // namespace
