@@ -21,7 +21,6 @@ constexpr double sure = 0.9;     // probability of what is not doubted
 constexpr double same_place = 1; // metres
 constexpr double little = 0.02;  // share of walls and floors, after the checks
 constexpr double too_much = 0.1; // likewise, of all that a new scan settles
-constexpr std::size_t most_checks = 10;
 
 std::string
 percent(double share)
@@ -288,7 +287,7 @@ judge(const Floorplan& plan, PlanReview& review)
   const double all = area + areaOf(plan);
   const auto first = review.doubts.cbegin(), end = review.doubts.cend();
   const double at_stake = stakeOf(std::find_if_not(first, end, isOfFrame), end) / all;
-  const std::size_t most = std::min(most_checks, review.doubts.size());
+  const std::size_t most = std::min(leading_doubts, review.doubts.size());
   double left = stakeOf(first, end) / all;
   while (review.checks < most && left > little)
     left = stakeOf(first + static_cast<std::ptrdiff_t>(++review.checks), end) / all;

@@ -5,6 +5,7 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -202,6 +203,7 @@ verdictOf(const PlanReview& review)
   constexpr std::array<const char*, 3> verdicts{"hand_over", "check", "scan_again"};
   return {{"verdict", verdicts[static_cast<std::size_t>(review.verdict)]},
           {"checks", review.checks},
+          {"shown", std::min(leading_doubts, review.doubts.size())},
           {"within_1cm", review.within[0]},
           {"within_3cm", review.within[1]},
           {"within_5cm", review.within[2]},

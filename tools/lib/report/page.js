@@ -62,62 +62,25 @@
     return rows.length > 0;
   }
 
-  // ---- Advice: [finding, remedy] ----
-
-  function* openModels() {
-    for (const room of rooms)
-      for (const [name, model, remedy] of [
-        ['mesh', room.mesh, 'Take the solid, solid.ply.'],
-        ['solid', room.solid, 'Look at its walls in the plan: lines that cross or miss each other.']])
-        if (model && model.closed_manifold === false)
-          yield [`Room ${room.id}: its ${name} is not closed${model.problem ? ': ' + model.problem : ''}.`, remedy];
-  }
-
-  function* farPoints() {
-    if (!distances || !distances.count) return;
-    const used = report.parameters || {};
-    const options = ['plane_tolerance', 'boundary_tolerance'].filter(name => !(used[name] >= 0.1))
-      .map(name => '--' + name.replace('_', '-') + ' 0.1').join(' and ');
-    if (distances.median > 0.02)
-      yield [`Half of the structure's points lie more than ${distance(distances.median)} off the model.`,
-        options ? `A scan so noisy needs ${options}; one in millimetres --unit 0.001, in feet --unit 0.3048.`
-          : 'That is its noise, which the tolerances of this run take in; a scan in millimetres needs --unit 0.001, in feet --unit 0.3048.'];
-    else if (distances.within_5cm < 0.85)
-      yield [`${percent(1 - distances.within_5cm)} of the structure's points lie more than 5 cm off the model.`,
-        'Often that is furniture at the walls: see where it is in the picture of distances.'];
-  }
-
-  // What puts most at stake comes first; of earlier versions warnings, also sentences.
-  function doubts(list) {
-    const all = (report.doubts || report.warnings || []).map(told => typeof told === 'string' ? { text: told } : told);
-    const most = 10;
-    const item = ({ text, stake }, ...more) => make('li', {}, text, ...more,
-      ...(stake ? [make('span', { class: 'remedy' }, `${number(stake, 2)}\u00a0m² at stake`)] : []));
-    for (const told of all.slice(0, most)) {
-      if (told.at) marks.push({ number: marks.length + 1, ...told });
-      list.append(item(told, ...(told.at ? [make('span', { class: 'mark' }, String(marks.length))] : [])));
-    }
-    if (all.length > most)
-      list.append(make('li', {}, make('details', {}, make('summary', {}, `${all.length - most} more places where less is at stake`),
-        make('ul', {}, ...all.slice(most).map(told => item(told))))));
-  }
+  // ---- Doubts ----
 
   const marks = []; // places of doubts, drawn on the plan
 
+  // What puts most at stake comes first; report.json says how many to show.
   function check(section) {
-    const list = section.querySelector('ul'), { text } = report.verdict || {};
+    const list = section.querySelector('ul'), all = report.doubts || [], { text, shown = all.length } = report.verdict || {};
     if (text) section.querySelector('.verdict').append(text[0].toUpperCase() + text.slice(1) + '.');
-    doubts(list);
-    for (const source of [openModels, farPoints])
-      for (const [finding, remedy] of source())
-        list.append(make('li', {}, finding, ...(remedy ? [make('span', { class: 'remedy' }, remedy)] : [])));
-    const unknown = [[rooms.every(room => room.mesh || room.solid), 'whether all rooms are closed'],
-      [rooms.every(room => room.support), 'how much of their walls was measured'], [distances, 'how far the points lie from the model']]
-      .filter(([isKnown]) => !rooms.length || !isKnown).map(([, text]) => text);
-    if (!list.children.length)
-      list.append(unknown.length ? make('li', {}, `Nothing stands out, but the files do not tell ${unknown.join(', ')}.`)
-        : make('li', { class: 'fine' }, 'Nothing stands out: all rooms are closed, most of their walls were measured, '
-          + 'and the points lie where the model is.'));
+    const item = ({ text, stake }, ...more) => make('li', {}, text, ...more,
+      ...(stake ? [make('span', { class: 'remedy' }, `${number(stake, 2)}\u00a0m² at stake`)] : []));
+    for (const told of all.slice(0, shown)) {
+      if (told.at) marks.push({ number: marks.length + 1, ...told });
+      list.append(item(told, ...(told.at ? [make('span', { class: 'mark' }, String(marks.length))] : [])));
+    }
+    if (all.length > shown)
+      list.append(make('li', {}, make('details', {}, make('summary', {}, `${all.length - shown} more places where less is at stake`),
+        make('ul', {}, ...all.slice(shown).map(told => item(told))))));
+    if (!all.length)
+      list.append(report.verdict ? make('li', { class: 'fine' }, 'Nothing is doubted.') : make('li', {}, 'There is no report.json that tells what to doubt.'));
     return true;
   }
 

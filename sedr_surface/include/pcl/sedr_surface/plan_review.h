@@ -14,6 +14,8 @@
 
 namespace pcl::sedr {
 
+constexpr std::size_t leading_doubts = 10; ///< as many head a report
+
 /** @brief A place of a plan to look at, with all that is doubted there. */
 struct PlanDoubt {
   std::string subject;    ///< "wall 7.8", "door D3", "room 4"; empty: the whole
@@ -46,7 +48,7 @@ struct PlanReview {
  * and openings that are less than 90 % sure. So many of the first ten are to be checked
  * that the rest puts 2 % of walls and floors at stake; if all but unit and up put more
  * than a tenth at stake, scanning again is better. A room and its walls count once.
- * Only odds of walls and openings are fitted; those of other warnings are chosen.
+ * Odds of walls and openings are fitted, see Certainty, and those of common warnings.
  * @param plan its openings have numbers, see numberOpenings()
  * @param warnings of the stages; what is unlikely in a building is added here */
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
