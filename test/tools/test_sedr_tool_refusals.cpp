@@ -161,18 +161,20 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
               area, 0.1);
 }
 
-TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
+TEST_F(SedrTool, ScansWithoutAStructureAreToldWhatIsMissing)
 {
   const RoomScan scan = scanOf();
   const auto only = [&](Label label) {
     return scan.without([&](const RoomPoint& p) { return p.label != label; })
         .pcd(false);
   };
-  expectFailure(onFile(only(Label::Floor)), 2, "RoomSegmentation");
+  expectFailure(onFile(only(Label::Floor)), 2, "no ceiling above it");
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
-  expectFailure(onFile(only(Label::Wall)), 2, "RoomSegmentation");
-  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2, "no air");
-  expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2, "no air");
+  expectFailure(onFile(only(Label::Wall)), 2, "neither a floor nor a ceiling");
+  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2,
+                "no ceiling above it");
+  expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2,
+                "no floor below it");
   expectFailure(onFile(scan.withoutLabel(Label::Wall).pcd(false)), 2, "walls");
 }
 

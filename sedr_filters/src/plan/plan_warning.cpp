@@ -21,8 +21,10 @@ struct Words {
   const char* opposite = nullptr; ///< the sentence if the last value is below 0
 };
 
-/** In the order of WarningKind. The odds are chosen, not fitted. */
-constexpr std::array<Words, 43> words{{
+/** In the order of WarningKind. Odds of kinds that at least six random buildings had are
+ * what of the rooms or square metres was wrong there, see doc/reliability.md; the others
+ * are chosen. */
+constexpr std::array<Words, 46> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -32,6 +34,9 @@ constexpr std::array<Words, 43> words{{
      "{0.0} % of the points are not finite: they were left out"},
     {"strays", "", Stake::None, 0,
      "{0.1} % of the points are scattered all over the air: they were left out"},
+    {"noise", "scan again", Stake::Plan, 0.5,
+     "half of the points lie {0.1} cm or more off the planes that fit them best: the "
+     "scan is too noisy, or its points are strewn"},
     {"positions", "check the positions", Stake::None, 0,
      "{0.0} of {1.0} positions of the scanner are not where the points were taken "
      "from: they lie on a surface, or rays from there go through walls that were seen; "
@@ -42,23 +47,23 @@ constexpr std::array<Words, 43> words{{
     {"levelled", "", Stake::None, 0,
      "the scan is tilted by {0.2} degrees, its up leans towards {1.0} degrees from x: "
      "it was made level; {reason}, the plan stays level"},
-    {"sparse", "scan more densely", Stake::Plan, 0.05,
+    {"sparse", "scan more densely", Stake::Plan, 0.1,
      "the scan is too sparse for cells of {0.2} m, its ceilings leave some empty: "
      "cells of {1.2} m are used, smaller things are lost"},
     {"no_plan", "look at", Stake::Plan, 0.05,
      "it has no plan and is not in the model: {reason}"},
     {"stage", "look at", Stake::Plan, 0.05, "{reason}"},
     {"left_out", "look at", Stake::Value, 0.5, "{0.1} m2{at} are left out: {reason}"},
-    {"hidden", "look at", Stake::Room, 0.1,
+    {"hidden", "look at", Stake::Room, 0.02,
      "{0.1} of its {1.1} m2 were not seen, as furniture or other things stand before "
      "them: its walls were drawn on until they meet"},
-    {"open", "look at", Stake::Room, 0.3,
+    {"open", "look at", Stake::Room, 0.03,
      "along {0.1} m of its outline neither a wall nor an opening was seen: it may go "
      "on there"},
     {"no_opening", "look for a door of", Stake::Value, 0.5,
      "one can walk to room {2.0}{at}, through a gap {0.2} m wide and {1.2} m high, but "
      "no opening was found there"},
-    {"filled_in", "scan again in", Stake::Room, 0.5,
+    {"filled_in", "scan again in", Stake::Room, 0.35,
      "{0.0} % of its walls were not measured: {1.0} % are inferred behind what hides "
      "them, {2.0} % nobody saw"},
     {"guessed_wall", "measure", Stake::None, 0,
@@ -66,10 +71,10 @@ constexpr std::array<Words, 43> words{{
      "it, {2.0} % nobody saw"},
     {"ceiling_apart", "look at", Stake::Value, 0.5,
      "{0.2} m2 of ceiling lie apart from the rest of its ceiling and are left out"},
-    {"ceiling_off", "look at", Stake::Value, 0.5,
+    {"ceiling_off", "look at", Stake::Value, 0.3,
      "{0.1} m2 of its ceiling, {1.2} to {2.2} m above its floor, are more than 10 cm "
      "off the model"},
-    {"floor_off", "look at", Stake::Value, 0.5,
+    {"floor_off", "look at", Stake::Value, 0.15,
      "{0.1} m2 of its floor, at {1.2} to {2.2} m from its main floor, are more than 10 "
      "cm off the model"},
     {"floor_unseen", "look at", Stake::Value, 0.2,
@@ -78,7 +83,7 @@ constexpr std::array<Words, 43> words{{
     {"wall_off", "look at", Stake::Value, 0.5,
      "{0.1} m2 of what was seen there lie {1.0} cm before it",
      "{0.1} m2 of what was seen there lie {1.0} cm behind it"},
-    {"standing", "look at", Stake::Value, 0.5,
+    {"standing", "look at", Stake::Value, 0.3,
      "{0.1} m2 of what was seen within it reach up to the ceiling and are no wall or "
      "column of the plan"},
     {"half_wall", "look at", Stake::Value, 0.5,
@@ -89,7 +94,7 @@ constexpr std::array<Words, 43> words{{
     {"not_adjusted", "", Stake::Plan, 0.05,
      "the plan is only as exact as thinned points are, it could not be fitted to the "
      "scan: {reason}"},
-    {"crossing", "look at", Stake::Room, 0.05,
+    {"crossing", "look at", Stake::Room, 0.02,
      "its solid runs into that of room {0.0}"},
     {"contradiction", "look at", Stake::Value, 0.5, "{reason}"},
     {"opening_closed", "", Stake::None, 0,
@@ -114,6 +119,12 @@ constexpr std::array<Words, 43> words{{
     {"flat_arc", "look at", Stake::None, 0,
      "an arc that rises only {0.1} cm above its chord, of {1.1} m radius: it may be "
      "straight"},
+    {"in_line", "look at", Stake::None, 0,
+     "where it ends the edge of a soffit goes on along its line for {0.1} m: it may be "
+     "the front of furniture"},
+    {"raised_floor", "look at", Stake::Value, 0.5,
+     "{0.1} m2 of its floor{at} lie {1.2} m higher: they may be a thing that stands "
+     "there"},
     {"small_storey", "look at", Stake::Value, 0.5, "{reason}: a storey of {0.1} m2"},
     {"edited", "", Stake::None, 0, "{reason}"},
 }};

@@ -4,6 +4,8 @@
 #include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/base/symmetric_eigen.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -95,11 +97,10 @@ patchesOf(const PointView& points,
 /** @brief Returns the plane of a patch if its points lie on one.
  * @param corner origin of its sums */
 std::optional<PlanePatch>
-planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner)
+planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner, double max_scatter)
 {
   constexpr double fewest = 20;
-  constexpr double max_scatter = 0.02; // normal to the plane, metres
-  constexpr double min_spread = 0.08;  // within the plane, metres
+  constexpr double min_spread = 0.08; // within the plane, metres
   if (patch.count < fewest)
     return {};
   const Eigen::Vector3d mean = patch.sum / patch.count;
@@ -110,7 +111,7 @@ planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner)
     return {};
   const Eigen::Vector3d normal = eigen.vectors.col(0);
   return PlanePatch{mean + corner, normal.z() < 0 ? Eigen::Vector3d(-normal) : normal,
-                    patch.count};
+                    patch.count, std::sqrt(std::max(eigen.values[0], 0.0))};
 }
 
 } // namespace
@@ -121,7 +122,8 @@ planesOf(const PointView& points,
          const Eigen::Matrix3d& turn,
          double patch,
          unsigned threads,
-         double offset)
+         double offset,
+         double max_scatter)
 {
   constexpr std::size_t block = std::size_t{1} << 15;
   constexpr std::size_t patches_a_block = 512;
@@ -141,8 +143,8 @@ planesOf(const PointView& points,
   const Eigen::Vector3d shift = Eigen::Vector3d::Constant(offset * patch);
   std::vector<std::optional<PlanePatch>> plane_of(moments.size());
   parallelFor(moments.size(), patches_a_block, threads, [&](std::size_t k) {
-    plane_of[k] =
-        planeOf(moments[k]->second, patch * moments[k]->first.corner() - shift);
+    plane_of[k] = planeOf(moments[k]->second,
+                          patch * moments[k]->first.corner() - shift, max_scatter);
   });
   std::vector<PlanePatch> planes;
   for (const auto& plane : plane_of)

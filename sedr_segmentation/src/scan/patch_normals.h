@@ -14,16 +14,19 @@ struct PlanePatch {
   Eigen::Vector3d middle; ///< mean of its points
   Eigen::Vector3d normal; ///< unit, z not below 0
   double count = 0;       ///< of its points
+  double scatter = 0;     ///< standard deviation normal to the plane, metres
 };
 
 /** @brief Returns the cubes of `patch` metres whose points, rotated by `turn`, lie on a
- * plane, see normalsOf(). */
+ * plane, see normalsOf().
+ * @param max_scatter normal to the plane, metres */
 std::vector<PlanePatch> planesOf(const PointView& points,
                                  const std::vector<int>& indices,
                                  const Eigen::Matrix3d& turn,
                                  double patch,
                                  unsigned threads,
-                                 double offset = 0);
+                                 double offset = 0,
+                                 double max_scatter = 0.02);
 
 /** @brief Returns the normals (z >= 0) of the cubes of `patch` metres whose points,
  * rotated by `turn`, lie on a plane. The cubes are shifted by `offset` patches along

@@ -4,6 +4,7 @@
 #include "../mesh/mesh_repair.h"
 #include "chain_stages.h"
 #include "sedr_filters/src/rays/sight_lines.h"
+#include "sedr_segmentation/src/scan/missing_surfaces.h"
 #include "sedr_segmentation/src/scan/scan_up.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 #include "structure_model.h"
@@ -85,6 +86,7 @@ StructureChain::reset()
   model_.stays_level = known_.keep_levelled;
   seems_in_feet_ = false;
   up_doubt_.clear();
+  missing_.clear();
 }
 
 void
@@ -100,7 +102,8 @@ bool
 StructureChain::stop(const std::string& stage, const std::string& reason)
 {
   model_.failed_stage = stage;
-  model_.problem = reason;
+  model_.problem =
+      missing_.empty() || reason == missing_ ? reason : missing_ + " (" + reason + ")";
   const std::string doubt = inchProblem(PointView(*model_.cloud), 0);
   if (!doubt.empty())
     model_.problem += "; " + doubt;
@@ -156,6 +159,11 @@ StructureChain::checkScan(const ScanPositions& positions)
       stations.push_back(position.place.cast<double>());
   pcl::Indices all(model_.cloud->size());
   std::iota(all.begin(), all.end(), 0);
+  const MissingSurfaces missing =
+      missingSurfaces(PointView(*model_.cloud), all, threads_, getPriors());
+  missing_ = missing.reason;
+  if (missing.is_noisy)
+    model_.warnings.push_back({WarningKind::Noise, {100 * missing.scatter}});
   const UpDoubt doubt =
       doubtOfUp(PointView(*model_.cloud), all, stations, threads_, getPriors(),
                 {known_.up_is_known, known_.unit_is_known});

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include "sedr_segmentation/src/scan/missing_surfaces.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <limits>
+#include <random>
 #include <utility>
 
 namespace {
@@ -191,6 +194,53 @@ TEST(InchProblem, IsToldByTheHeightOfTheStoreysThatWereFound)
   EXPECT_EQ(inchProblem(points.view(), 20), "") << "a tower";
   EXPECT_EQ(inchProblem(changed([](auto p) { return p; }).view(), 1), "");
   EXPECT_EQ(inchProblem(PointView(), 0), "");
+}
+
+/** Tells what is missing of the points of that room for which `is_seen` holds, moved by
+ * as much as `scatter`. */
+MissingSurfaces
+missingOf(const std::function<bool(const Eigen::Vector3d&)>& is_seen,
+          double scatter = 0,
+          double spacing = 0.05)
+{
+  RoomPoints room(spacing);
+  room.room(rectangle(0, 0, 6, 4), 0, 2.5);
+  RoomPoints result;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0, scatter);
+  for (const int i : room.all())
+    if (const Eigen::Vector3d p = room[i].cast<double>(); is_seen(p))
+      result.point(p.x() + normal(random), p.y() + normal(random),
+                   p.z() + normal(random));
+  return missingSurfaces(result.view(), result.all(), 1);
+}
+
+TEST(MissingSurfaces, AreNamed)
+{
+  const auto all = [](const Eigen::Vector3d&) { return true; };
+  EXPECT_EQ(missingOf(all).reason, "");
+  const std::pair<double, const char*> levels[] = {{0, "a ceiling was seen"},
+                                                   {2.5, "a floor was seen"}};
+  for (const auto& [level, sentence] : levels)
+    EXPECT_TRUE(mentions(missingOf([&, z = level](const Eigen::Vector3d& p) {
+                           return std::abs(p.z() - z) > 0.01;
+                         }).reason,
+                         sentence));
+  EXPECT_TRUE(mentions(missingOf([](const Eigen::Vector3d& p) {
+                         return std::abs(p.z() - 1.25) < 1.2;
+                       }).reason,
+                       "neither a floor nor a ceiling"));
+  EXPECT_TRUE(mentions(missingOf(all, 0, 0.25).reason, "too sparse"));
+}
+
+TEST(MissingSurfaces, OfStrewnOrNoisyPointsAreAllOfThem)
+{
+  const auto all = [](const Eigen::Vector3d&) { return true; };
+  EXPECT_FALSE(missingOf(all, 0.01).is_noisy);
+  const MissingSurfaces noisy = missingOf(all, 0.06);
+  EXPECT_TRUE(noisy.is_noisy);
+  EXPECT_TRUE(mentions(noisy.reason, "too noisy, or its points are strewn"));
+  EXPECT_TRUE(missingOf(all, 0.5, 0.02).is_noisy);
 }
 
 } // namespace

@@ -92,14 +92,14 @@ TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
                        {WarningKind::FloorOff, {0.5, 0.1, 0.2}, 1, 0, "", {3.5, 2}},
                        {WarningKind::Open, {2}, 1}});
   ASSERT_EQ(review.doubts.size(), 3u);
-  // By what they put at stake: 0.3 of 12 m2, half of 1.5 m x 1.2 m, of 0.5 m2.
+  // By what they put at stake: half of 1.5 m x 1.2 m, 0.03 of 12 m2, 0.15 of 0.5 m2.
   EXPECT_EQ(review.doubts[0].kinds,
-            (std::vector<WarningKind>{WarningKind::Hidden, WarningKind::Open}));
-  EXPECT_TRUE(review.doubts[0].at.allFinite());
-  EXPECT_NEAR(review.doubts[0].stake, 3.6, 1e-9);
-  EXPECT_EQ(review.doubts[1].kinds,
             (std::vector<WarningKind>{WarningKind::Standing, WarningKind::HalfWall}));
-  EXPECT_NEAR(review.doubts[1].stake, 0.9, 1e-9);
+  EXPECT_NEAR(review.doubts[0].stake, 0.9, 1e-9);
+  EXPECT_EQ(review.doubts[1].kinds,
+            (std::vector<WarningKind>{WarningKind::Hidden, WarningKind::Open}));
+  EXPECT_TRUE(review.doubts[1].at.allFinite());
+  EXPECT_NEAR(review.doubts[1].stake, 0.36, 1e-9);
   EXPECT_EQ(review.doubts[2].at, Eigen::Vector2d(3.5, 2));
 }
 
@@ -154,7 +154,7 @@ TEST(PlanReview, WhatIsAtStakeCountsOnce)
 {
   // Half of 12 m2 are at stake as the room, about as much as all four walls: 13 %.
   Floorplan plan = measuredRoom();
-  const std::vector<PlanWarning> room{{WarningKind::FilledIn, {80, 60, 20}, 1}};
+  const std::vector<PlanWarning> room{{WarningKind::SmallRoom, {12}, 1}};
   const PlanReview alone = reviewOf(plan, room);
   EXPECT_NE(alone.text.find("again, 13 %"), std::string::npos) << alone.text;
   const PlanReview plan_too =
@@ -185,7 +185,7 @@ TEST(PlanReview, AWrongUnitOrAxisIsNotScannedAgain)
     EXPECT_EQ(review.checks, 1u);
     const PlanReview more =
         reviewOf(measuredRoom(),
-                 {warningOf(kind, "odd"), {WarningKind::FilledIn, {80, 60, 20}, 1}});
+                 {warningOf(kind, "odd"), {WarningKind::SmallRoom, {12}, 1}});
     EXPECT_EQ(more.verdict, ReviewVerdict::ScanAgain);
   }
 }

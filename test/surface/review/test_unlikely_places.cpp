@@ -63,6 +63,18 @@ TEST(UnlikelyPlaces, EachKindAlone)
   arc.radius = 400;
   arc.centre = {2, std::sqrt(400.0 * 400 - 4)};
   EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::FlatArc});
+  plan = plainRoom(); // cupboards of 2 m below a soffit of 4 m
+  plan.rooms[0].boundary =
+      sedr_test::polygon({{0, 0}, {4, 0}, {4, 2.5}, {2, 2.5}, {2, 3}, {0, 3}});
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(0, 2.5, 2, 3), 2.1)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::InLine});
+  EXPECT_EQ(unlikelyPlaces(plan)[0].wall, 3u);
+  EXPECT_NEAR(unlikelyPlaces(plan)[0].values[0], 2, 1e-9);
+  plan = plainRoom();
+  plan.rooms[0].floor_details = {sedr_test::detailOf(rectangle(0, 2, 4, 3), 0.4)};
+  EXPECT_EQ(kindsIn(plan), Kinds{}) << "a stage from wall to wall";
+  plan.rooms[0].floor_details = {sedr_test::detailOf(rectangle(2, 1, 4, 3), 0.4)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::RaisedFloor});
 }
 
 } // namespace

@@ -20,6 +20,7 @@ enum class WarningKind {
   Up,            ///< reason
   LostPoints,    ///< %
   Strays,        ///< % of the points
+  Noise,         ///< cm off planes of 30 cm, half of the points
   Positions,     ///< of the scanner, untrue, all
   Mirrors,       ///< surfaces, thinned points
   Levelled,      ///< degrees, direction; reason
@@ -56,6 +57,8 @@ enum class WarningKind {
   Height,        ///< m
   Ragged,        ///< walls in 10 m
   FlatArc,       ///< rise in cm, radius in m
+  InLine,        ///< m of the edge of a soffit that goes on where the wall ends
+  RaisedFloor,   ///< m2, m above the floor
   SmallStorey,   ///< m2; reason: its name
   Edited         ///< reason
 };

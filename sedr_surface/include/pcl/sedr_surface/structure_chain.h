@@ -296,6 +296,7 @@ private:
   unsigned threads_ = 0;
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
   bool seems_in_feet_ = false;
+  std::string missing_;  ///< what of floor and ceiling the scan does not show
   std::string up_doubt_; ///< why another direction than z may be up
 };
 
