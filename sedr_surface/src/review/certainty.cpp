@@ -2,6 +2,7 @@
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_surface/certainty.h>
 
 #include <algorithm>
@@ -19,27 +20,35 @@ struct Weights {
   std::vector<std::pair<const char*, double>> of_signs; ///< by name
 };
 
+constexpr double usual_width = 0.8; // metres; narrower openings are less likely
+const double max_wall = Priors().max_wall;
+
 /** @brief What test/benchmarks/certainty_grades.py fits; the only place for it. */
 const Weights&
 wallWeights()
 {
-  static const Weights weights{{-2.02, -1.32, -1.26},
-                               {{"log_length", 0.69},
-                                {"measured", 1.48},
-                                {"placed", 2.27},
-                                {"log_error", -1.24},
-                                {"off", -0.75}}};
+  static const Weights weights{{-2.21, -1.77, -1.70},
+                               {{"log_length", 0.60},
+                                {"measured", 2.14},
+                                {"placed", 2.01},
+                                {"log_error", -1.14},
+                                {"two_faces", 0.94},
+                                {"off", -0.73}}};
   return weights;
 }
 
 const Weights&
 openingWeights()
 {
-  static const Weights weights{{0.13, 1.59, 2.29},
-                               {{"log_confidence", 0.09},
-                                {"log_error", -1.49},
-                                {"two_faces", 0.35},
-                                {"unknown_kind", -3.84}}};
+  static const Weights weights{{0.22, 1.58, 2.44},
+                               {{"log_confidence", 0.06},
+                                {"log_error", -1.89},
+                                {"error_above", 0.49},
+                                {"two_faces", 0.52},
+                                {"unknown_kind", -3.30},
+                                {"passage", -0.42},
+                                {"closed", -1.52},
+                                {"narrow", 2.34}}};
   return weights;
 }
 
@@ -109,9 +118,11 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
     for (const PlanElement& wall : room.boundary.elements)
       errors.push_back(wall.accuracy.standard_error);
   const double usual = usualError(std::move(errors));
+  const auto thicknesses = wallThicknesses(plan, max_wall);
   std::vector<Certainty> walls;
-  for (const PlanRoom& room : plan.rooms)
-    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e) {
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    for (std::size_t e = 0; e < plan.rooms[r].boundary.elements.size(); ++e) {
+      const PlanRoom& room = plan.rooms[r];
       const WallShares shares = wallShares(plan, room, e);
       if (!(shares.area > 0))
         continue;
@@ -126,6 +137,7 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
                        wall.length() * (room.ceilingAt(middle) - room.floorAt(middle)),
                        {std::log(std::max(wall.length(), 0.01)), shares.measured,
                         error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
+                        thicknesses[r][e] > 0 ? 1.0 : 0.0,
                         std::min(off[{room.id, e + 1}] / shares.area, 1.0)}},
                       error));
     }
@@ -143,6 +155,7 @@ certaintyOfOpenings(const Floorplan& plan)
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
     const double sure = std::clamp(opening.confidence, 0.01, 0.999);
+    const double error = logError(std::max(opening.residual, 1e-9), usual);
     if (opening.residual > 0 && opening.confidence > 0)
       openings.push_back(
           certaintyBy(openingWeights(),
@@ -150,9 +163,12 @@ certaintyOfOpenings(const Floorplan& plan)
                        std::max(opening.rooms[0], opening.rooms[1]),
                        k,
                        opening.width() * opening.height(),
-                       {std::log(sure / (1 - sure)), logError(opening.residual, usual),
+                       {std::log(sure / (1 - sure)), error, std::max(error, 0.0),
                         opening.walls.size() > 1 ? 1.0 : 0.0,
-                        opening.kind == OpeningKind::Unknown ? 1.0 : 0.0}}));
+                        opening.kind == OpeningKind::Unknown ? 1.0 : 0.0,
+                        opening.kind == OpeningKind::Passage ? 1.0 : 0.0,
+                        opening.state == OpeningState::Closed ? 1.0 : 0.0,
+                        std::min(std::log(opening.width() / usual_width), 0.0)}}));
   }
   return openings;
 }

@@ -30,7 +30,7 @@ TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
   ASSERT_EQ(walls.size(), 4u);
   EXPECT_EQ(walls[2].element, "1.3");
   EXPECT_NEAR(walls[2].area, 10, 1e-9);
-  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0.3};
+  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0, 0.3};
   ASSERT_EQ(walls[2].signs.size(), truth.size());
   EXPECT_EQ(wallSigns().size(), truth.size());
   for (std::size_t k = 0; k < truth.size(); ++k)
