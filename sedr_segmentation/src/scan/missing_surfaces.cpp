@@ -59,9 +59,13 @@ missingSurfaces(const PointView& points,
                 unsigned threads,
                 const Priors& priors)
 {
-  const std::vector<PlanePatch> patches =
-      planesOf(points, indices, Eigen::Matrix3d::Identity(), patch, threads, 0,
-               std::numeric_limits<double>::infinity());
+  std::vector<PlanePatch> patches;
+  for (const double offset : {0.0, 0.5}) { // a surface may lie between two cubes
+    const std::vector<PlanePatch> found =
+        planesOf(points, indices, Eigen::Matrix3d::Identity(), patch, threads, offset,
+                 std::numeric_limits<double>::infinity());
+    patches.insert(patches.end(), found.begin(), found.end());
+  }
   const double max_scatter = 2 * priors.slab_noise;
   double count = 0;
   std::vector<Weighted> scatters;
@@ -78,7 +82,7 @@ missingSurfaces(const PointView& points,
       upright[height] += plane.count;
   }
   MissingSurfaces missing;
-  if (5 * count < static_cast<double>(indices.size())) {
+  if (5 * count < 2 * static_cast<double>(indices.size())) {
     missing.reason = "the points are too sparse: few cubes of 0.3 m have 20 of them";
     return missing;
   }
