@@ -83,7 +83,8 @@ missingSurfaces(const PointView& points,
   }
   MissingSurfaces missing;
   if (5 * count < 2 * static_cast<double>(indices.size())) {
-    missing.reason = "the points are too sparse: few cubes of 0.3 m have 20 of them";
+    missing.reason =
+        "the points are too sparse, or strewn: few cubes of 0.3 m have 20 of them";
     return missing;
   }
   missing.scatter = weightedQuantile(scatters, 0.5);
