@@ -6,8 +6,15 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
+#include <pcl/sedr_segmentation/building.h>
 
+#include <pcl/conversions.h>
+
+#include <vector>
+
+using namespace pcl::sedr;
 using namespace pcl::sedr::tools;
 
 namespace {
@@ -17,7 +24,36 @@ struct Settings : StageFiles {
   float leaf = 0;
   unsigned int minimum_points = 0;
   bool keep_strays = false;
+  bool in_frame = false;
 };
+
+/** @brief Returns the frame of the building, found from an excerpt of a scan. */
+BuildingFrame
+frameOf(const Settings& settings, const ScanFile& scan)
+{
+  constexpr std::size_t enough = 5000000; // points of a scan
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const Eigen::Vector3f& p : excerptOf(scan, enough, 0))
+    cloud->emplace_back(p.x(), p.y(), p.z());
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setLeafSize(settings.leaf, settings.leaf, settings.leaf);
+  grid.setRemoveStrays(!settings.keep_strays);
+  grid.setInputCloud(cloud);
+  grid.filter(*cloud);
+  return findBuildingFrame(PointView(*cloud), {}, 0, Eigen::Matrix3d::Identity(),
+                           settings.leaf);
+}
+
+/** @brief Moves a cloud to another frame. */
+void
+move(const BuildingFrame& frame, pcl::PCLPointCloud2& cloud)
+{
+  pcl::PointCloud<pcl::PointXYZ> points;
+  pcl::fromPCLPointCloud2(cloud, points);
+  std::vector<Eigen::Vector3f> moved(points.size());
+  movePoints(frame, PointView(points), 0, moved.data());
+  setCoordinates(cloud, 0, moved);
+}
 
 pcl::PCLPointCloud2
 compute(const Settings& settings, const ScanFile& scan)
@@ -28,7 +64,13 @@ compute(const Settings& settings, const ScanFile& scan)
   grid.setMinimumPointsNumberPerVoxel(settings.minimum_points);
   grid.setRemoveStrays(!settings.keep_strays);
   pcl::PCLPointCloud2 thinned;
-  grid.filter(scan, thinned);
+  if (settings.in_frame) {
+    const BuildingFrame frame = frameOf(settings, scan);
+    grid.filter(MovedRows(scan, frame, 0, true), thinned);
+    move(frame.to(BuildingFrame()), thinned);
+  }
+  else
+    grid.filter(scan, thinned);
   throwProblem(grid.getErrorMessage());
   return thinned;
 }
@@ -79,6 +121,9 @@ main(int argc, char** argv)
                  "voxels with fewer points give none");
   options.flag("keep-strays", settings.keep_strays,
                "keep voxels that points scattered in the air explain");
+  options.flag(
+      "building-frame", settings.in_frame,
+      "lay the voxels along axes of the building's own, however the scan lies");
   addScanOptions(options, settings.reading);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

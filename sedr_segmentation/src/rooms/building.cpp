@@ -4,6 +4,7 @@
 #include "room_points.h"
 #include "storey_levels.h"
 
+#include "../scan/scan_excerpt.h"
 #include "../stairs/stairs.h"
 
 #include "sedr_filters/src/base/number_text.h"
@@ -240,6 +241,59 @@ describe(const AirGaps& air,
   return building;
 }
 
+/** @brief Turns a building back to the scan, but for the cells of its profiles. */
+void
+turnBack(const BuildingFrame& frame, Building& building)
+{
+  building.frame = frame;
+  const double rise = frame.origin.z();
+  const auto turn = [&](Eigen::Vector2d& at) {
+    at = frame.toScan({at.x(), at.y(), 0}).head<2>();
+  };
+  for (BuildingRoom& room : building.rooms) {
+    room.floor += rise;
+    room.ceiling += rise;
+    for (RoomColumn& column : room.columns) {
+      column.floor = static_cast<float>(column.floor + rise);
+      column.ceiling = static_cast<float>(column.ceiling + rise);
+    }
+  }
+  Floorplan plan;
+  plan.storeys = std::move(building.storeys);
+  plan.stairs = std::move(building.stairs);
+  plan = moved(std::move(plan), -frame.yaw(), frame.origin);
+  building.storeys = std::move(plan.storeys);
+  building.stairs = std::move(plan.stairs);
+  for (RoomLink& link : building.links) {
+    turn(link.start);
+    turn(link.end);
+    link.bottom += rise;
+    link.top += rise;
+  }
+  for (LeftOut& thing : building.left_out) {
+    turn(thing.at);
+    thing.floor += rise;
+    thing.ceiling += rise;
+  }
+}
+
+Building
+findRooms(const PointView& points,
+          const std::vector<int>& indices,
+          const BuildingParameters& parameters,
+          const std::vector<std::uint8_t>& behind)
+{
+  const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
+                          parameters.threads);
+  const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
+  const PartingParameters of_parting;
+  VoxelColumns seen = half.halved(parameters.threads);
+  seen.keepSurfaces(parameters.threads); // before holes are closed to strays
+  const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
+  const AirGaps air(columns, seen, airParameters(parameters), &half);
+  return describe(air, of_parting, fine, points, indices, parameters, behind);
+}
+
 } // namespace
 
 Building
@@ -250,16 +304,19 @@ findBuilding(const PointView& points,
              const std::vector<std::uint8_t>& behind)
 {
   problem.clear();
-  const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
-                          parameters.threads);
-  const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
-  const PartingParameters of_parting;
-  VoxelColumns seen = half.halved(parameters.threads);
-  seen.keepSurfaces(parameters.threads); // before holes are closed to strays
-  const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
-  const AirGaps air(columns, seen, airParameters(parameters), &half);
-  Building building =
-      describe(air, of_parting, fine, points, indices, parameters, behind);
+  Building building;
+  if (parameters.own_frame) {
+    const BuildingFrame frame =
+        findBuildingFrame(points, indices, parameters.threads,
+                          Eigen::Matrix3d::Identity(), parameters.cell_size);
+    std::vector<Eigen::Vector3f> moved(points.size());
+    movePoints(frame, points, parameters.threads, moved.data());
+    building = findRooms({moved.data(), sizeof(Eigen::Vector3f), moved.size()}, indices,
+                         parameters, behind);
+    turnBack(frame, building);
+  }
+  else
+    building = findRooms(points, indices, parameters, behind);
   if (building.rooms.empty())
     problem = problemOf(building, parameters,
                         indices.empty() ? points.size() : indices.size());

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -34,8 +35,9 @@ turnBy(double angle)
 /** @brief What is known of the points of a scan, in the level frame. */
 struct FramePoints {
   std::vector<double> normals;          ///< directions of walls, radians
-  std::vector<double> slabs;            ///< heights
-  std::vector<Eigen::Vector2d> upright; ///< points of no level surface
+  std::vector<Eigen::Vector3d> slabs;   ///< points of level surfaces
+  std::vector<Eigen::Vector3d> walls;   ///< all others
+  std::vector<Eigen::Vector2d> upright; ///< some of them, in plan
   std::vector<Eigen::Vector2d> all;
 };
 
@@ -66,16 +68,15 @@ framePoints(const PointView& points,
     if (is_plane && std::abs(patch->second.z()) < steepest)
       found.normals.push_back(std::atan2(patch->second.y(), patch->second.x()));
     if (is_plane && patch->second.head<2>().norm() < steepest)
-      found.slabs.push_back(p.z());
+      found.slabs.push_back(p);
     else
-      found.upright.emplace_back(p.head<2>());
+      found.walls.push_back(p);
     found.all.emplace_back(p.head<2>());
   }
   constexpr std::size_t enough = 200000; // points that tell the walls
-  const std::size_t step = found.upright.size() / enough + 1;
-  for (std::size_t k = 0; k * step < found.upright.size(); ++k)
-    found.upright[k] = found.upright[k * step];
-  found.upright.resize((found.upright.size() + step - 1) / step);
+  const std::size_t step = found.walls.size() / enough + 1;
+  for (std::size_t k = 0; k < found.walls.size(); k += step)
+    found.upright.emplace_back(found.walls[k].head<2>());
   return found;
 }
 
@@ -174,24 +175,44 @@ canonicalQuarter(const FramePoints& points, double turn)
   return best;
 }
 
-/** @brief Returns the offset of the largest of some surfaces, metres.
+/** @brief Returns the offset along an axis of the largest surface at a right angle to
+ * it, metres. Its squares with points count, as of a wall that lies askew in the voxels
+ * of the scan, or between two of them, there are more points.
  * @param preference of the first one to the last, by so much of its size: of two alike
  * it is always the same that counts */
 double
-largestOf(const std::vector<double>& offsets, double preference)
+largestOf(const std::vector<Eigen::Vector3d>& points, int axis, double preference)
 {
-  if (offsets.empty())
+  constexpr double square = 0.1;
+  constexpr double comparable = 0.4; // of the most points
+  if (points.empty())
     return 0;
+  std::vector<double> offsets;
+  for (const Eigen::Vector3d& p : points)
+    offsets.push_back(p[axis]);
   SmoothCounts peaks(offsets, same_surface);
   peaks.keepPeaks();
+  const std::vector<double>& counts = peaks.counts;
+  const double enough = comparable * *std::max_element(counts.begin(), counts.end());
   double most = -1;
   double largest = 0;
-  for (std::size_t k = 0; k < peaks.counts.size(); ++k) {
-    const double share =
-        static_cast<double>(k) / static_cast<double>(peaks.counts.size());
-    if (const double count = peaks.counts[k] * (1 - preference * share); count > most) {
-      most = count;
-      largest = peaks.first + peaks.bin * static_cast<double>(k);
+  for (std::size_t k = 1; k + 1 < counts.size(); ++k) {
+    if (counts[k] < enough || counts[k] < counts[k - 1] || counts[k] < counts[k + 1])
+      continue;
+    const double offset = peaks.first + peaks.bin * static_cast<double>(k);
+    std::vector<std::array<double, 2>> squares;
+    for (const Eigen::Vector3d& p : points)
+      if (std::abs(p[axis] - offset) < 1.5 * same_surface)
+        squares.push_back({std::floor(p[(axis + 1) % 3] / square),
+                           std::floor(p[(axis + 2) % 3] / square)});
+    std::sort(squares.begin(), squares.end());
+    const auto end = std::unique(squares.begin(), squares.end());
+    const double share = static_cast<double>(k) / static_cast<double>(counts.size());
+    if (const double size =
+            static_cast<double>(end - squares.begin()) * (1 - preference * share);
+        size > most) {
+      most = size;
+      largest = offset;
     }
   }
   for (int round = 0; round < 5; ++round) { // its mean
@@ -221,17 +242,21 @@ findBuildingFrame(const PointView& points,
     indices.resize(points.size());
     std::iota(indices.begin(), indices.end(), 0);
   }
-  const FramePoints found = framePoints(points, indices, level, threads);
+  FramePoints found = framePoints(points, indices, level, threads);
   BuildingFrame frame;
   frame.rotation = level;
   if (found.normals.empty())
     return frame;
   double turn = mainTurn(found, threads);
   turn += canonicalQuarter(found, turn);
-  const Eigen::Matrix3d to_walls = turnBy(turn) * level;
-  const Eigen::Vector3d corner(largestOf(offsetsAlong(found, turn, 0), 0.3),
-                               largestOf(offsetsAlong(found, turn, 1), 0.3),
-                               largestOf(found.slabs, 0.8));
+  const Eigen::Matrix3d turned = turnBy(turn);
+  const Eigen::Matrix3d to_walls = turned * level;
+  for (auto* const points : {&found.walls, &found.slabs})
+    for (Eigen::Vector3d& p : *points)
+      p = turned * p;
+  const Eigen::Vector3d corner(largestOf(found.walls, 0, 0.3),
+                               largestOf(found.walls, 1, 0.3),
+                               largestOf(found.slabs, 2, 0.8));
   frame.rotation = turnBy(oblique) * to_walls;
   frame.origin = to_walls.transpose() * (corner - Eigen::Vector3d::Constant(cell / 2));
   return frame;

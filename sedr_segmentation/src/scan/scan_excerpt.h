@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ void addToExcerpt(const PointView& points,
                   std::size_t step,
                   std::vector<Eigen::Vector3f>& excerpt);
 
+/** @brief Returns every k-th point of a scan, such that they are at most `most`. */
+std::vector<Eigen::Vector3f>
+excerptOf(const RowSource& scan, std::size_t most, unsigned threads);
+
 /** @brief Moves points to another frame; non-finite ones stay so. O(n).
  * @param threads 0: all processors */
 void movePoints(const BuildingFrame& frame,
@@ -35,15 +40,20 @@ void movePoints(const BuildingFrame& frame,
                 unsigned threads,
                 Eigen::Vector3f* moved);
 
-/** @brief The coordinates of a scan in another frame. */
+/** @brief The rows of a scan in another frame: x, y and z, or all fields, of which the
+ * others stay as they are. */
 class MovedRows : public RowSource {
 public:
   /** @param scan must outlive this object
-   * @param threads 0: all processors */
-  MovedRows(const RowSource& scan, const BuildingFrame& frame, unsigned threads);
+   * @param threads 0: all processors
+   * @param all_fields of a scan whose x, y and z are FLOAT32 */
+  MovedRows(const RowSource& scan,
+            const BuildingFrame& frame,
+            unsigned threads,
+            bool all_fields = false);
 
   const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
-  std::size_t rowSize() const override { return sizeof(Eigen::Vector3f); }
+  std::size_t rowSize() const override { return row_size_; }
   std::size_t size() const override { return scan_.size(); }
   std::string problem() const override { return scan_.problem(); }
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
@@ -53,6 +63,8 @@ private:
   BuildingFrame frame_;
   unsigned threads_;
   std::vector<pcl::PCLPointField> fields_;
+  std::size_t row_size_;
+  std::array<std::size_t, 3> offsets_{}; ///< of x, y and z
 };
 
 } // namespace pcl::sedr

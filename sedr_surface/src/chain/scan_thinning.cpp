@@ -40,24 +40,6 @@ excerptStep(std::size_t points)
   return rawStep(points, AdjustmentParameters().max_points);
 }
 
-/** @brief Collects every k-th point of a scan.
- * @return why the scan is invalid, a sentence; empty if valid */
-std::string
-readExcerpt(const RowSource& source,
-            unsigned threads,
-            std::vector<Eigen::Vector3f>& excerpt)
-{
-  if (!source.problem().empty())
-    return source.problem();
-  RowCoordinates coordinates(source.fields(), source.rowSize());
-  source.forEachPiece([&](const RowSource::Piece& piece) {
-    addToExcerpt(coordinates.of(piece.rows, piece.size, threads), piece.first,
-                 excerptStep(source.size()), excerpt);
-    return true;
-  });
-  return scanProblem(viewOf(excerpt));
-}
-
 } // namespace
 
 std::optional<BuildingFrame>
@@ -84,7 +66,11 @@ StructureChain::thin(const RowSource& scan)
 {
   ThinnedScan thinned;
   thinned.size = scan.size();
-  thinned.problem = readExcerpt(scan, threads_, *thinned.excerpt);
+  thinned.problem = scan.problem();
+  if (thinned.problem.empty()) {
+    *thinned.excerpt = excerptOf(scan, AdjustmentParameters().max_points, threads_);
+    thinned.problem = scanProblem(viewOf(*thinned.excerpt));
+  }
   if (!thinned.problem.empty())
     return thinned;
   if (const auto frame = findFrame(*thinned.excerpt)) {

@@ -20,7 +20,8 @@ struct Found {
   /** Returns the room above a place, 0 for none. */
   std::uint32_t roomAt(double x, double y, double z = 1) const
   {
-    const Eigen::Vector2d p = scene.place(x, y);
+    const Eigen::Vector2d at = scene.place(x, y);
+    const Eigen::Vector3d p = building.frame.toBuilding({at.x(), at.y(), 0});
     const pcl::sedr::Cell cell = building.grid.at(p.x(), p.y());
     for (const pcl::sedr::BuildingRoom& room : building.rooms)
       for (const pcl::sedr::RoomColumn& column : room.columns)

@@ -286,6 +286,24 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
 }
 
+TEST(FindBuilding, ThatIsLaidInAFrameOfItsOwnStaysWhereItIs)
+{
+  const AirScene scene = flat(17);
+  BuildingParameters parameters;
+  parameters.own_frame = true;
+  const Found found(scene, parameters);
+  const Building& b = found.building;
+  ASSERT_EQ(b.rooms.size(), 2u) << found.problem;
+  EXPECT_EQ(found.roomAt(2, 1.5), 1u);
+  EXPECT_EQ(found.roomAt(5.5, 1.5), 2u);
+  EXPECT_NEAR(b.rooms[0].floor, 0.01, 0.051);
+  EXPECT_NEAR(b.storeys[0].ceiling, 2.51, 0.051);
+  ASSERT_EQ(b.links.size(), 1u);
+  const RoomLink& door = b.links[0];
+  EXPECT_NEAR(((door.start + door.end) / 2 - scene.place(4.1, 1.5)).norm(), 0, 0.2);
+  EXPECT_NEAR(door.top, 2.11, 0.16);
+}
+
 TEST(LinksWithoutOpening, AreToldUnlessAnOpeningJoinsTheirRoomsThere)
 {
   Building building;

@@ -48,6 +48,18 @@ TEST(BuildingFrame, IsThatOfTheBuildingHoweverItIsTurned)
   }
 }
 
+TEST(BuildingFrame, StartsAtTheLargestWallNotAtThatWithMostPoints)
+{
+  const RoomPoints even = turned(cornerRoom(), Eigen::Matrix3d::Identity(), 0);
+  RoomPoints uneven = even;
+  for (const int i : even.all())
+    if (even[i].x() > 36.9F) // the wall of 2.2 m, as if between two voxels
+      for (int k = 0; k < 2; ++k)
+        uneven.point(even[i].x(), even[i].y(), even[i].z());
+  const Eigen::Vector3d origin = findBuildingFrame(even.view()).origin;
+  EXPECT_LT((findBuildingFrame(uneven.view()).origin - origin).norm(), 0.004);
+}
+
 TEST(BuildingFrame, IsUndoneExactly)
 {
   const BuildingFrame frame = frameOf(17, 0.005);

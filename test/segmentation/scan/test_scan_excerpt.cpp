@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rows_in_pieces.h"
 
+#include "sedr_filters/src/base/field_access.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 #include <pcl/point_types.h>
@@ -50,29 +51,36 @@ TEST(Excerpt, HasEveryKthPointWhateverThePieces)
 
 TEST(MovedRows, AreTheRowsOfTheScanInTheOtherFrame)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (const Eigen::Vector3f& p : countedPoints(3000))
-    cloud.push_back({p.x(), p.y(), p.z()});
+  pcl::PointCloud<pcl::PointXYZI> cloud;
+  for (const Eigen::Vector3f& p : countedPoints(3000)) {
+    cloud.emplace_back(p.x(), p.y(), p.z());
+    cloud.back().intensity = p.x();
+  }
   BuildingFrame frame;
   frame.rotation = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   frame.origin = {1, 2, 3};
   const sedr_test::RowsInPieces scan(cloud, 701);
-  const MovedRows moved(scan, frame, 2);
-  RowCoordinates coordinates(moved.fields(), moved.rowSize());
-  std::size_t n = 0;
-  moved.forEachPiece([&](const RowSource::Piece& piece) {
-    const PointView points = coordinates.of(piece.rows, piece.size);
-    for (std::size_t i = 0; i < piece.size; ++i, ++n) {
-      EXPECT_EQ(piece.first + i, n);
+  for (const bool all_fields : {false, true}) {
+    const MovedRows moved(scan, frame, 2, all_fields);
+    const auto* const intensity = findField(moved.fields(), "intensity");
+    EXPECT_EQ(intensity != nullptr, all_fields);
+    const std::vector<Eigen::Vector3f> points = excerptOf(moved, cloud.size(), 2);
+    ASSERT_EQ(points.size(), cloud.size());
+    for (std::size_t n = 0; n < cloud.size(); ++n) {
       const Eigen::Vector3d p = cloud[n].getVector3fMap().cast<double>();
-      EXPECT_EQ(points.isFinite(i), p.allFinite());
+      EXPECT_EQ(points[n].allFinite(), p.allFinite());
       if (p.allFinite()) {
-        EXPECT_LT((frame.toScan(points[i].cast<double>()) - p).norm(), 1e-3);
+        EXPECT_LT((frame.toScan(points[n].cast<double>()) - p).norm(), 1e-3);
       }
     }
-    return true;
-  });
-  EXPECT_EQ(n, cloud.size());
+    moved.forEachPiece([&](const RowSource::Piece& piece) {
+      for (std::size_t i = 0; intensity && i < piece.size; ++i)
+        EXPECT_EQ(readField(piece.rows + i * moved.rowSize() + intensity->offset,
+                            intensity->datatype),
+                  static_cast<double>(piece.first + i));
+      return true;
+    });
+  }
 }
 
 } // namespace

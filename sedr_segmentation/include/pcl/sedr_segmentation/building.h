@@ -76,7 +76,8 @@ struct RoomLink {
 /** @brief A building: rooms, storeys, links and stairs of a scan, see RoomSegmentation.
  */
 struct Building {
-  CellGrid grid{0}; ///< of the profiles of its rooms; of size 0 where there are none
+  CellGrid grid{0};    ///< of the profiles of its rooms; of size 0 where there are none
+  BuildingFrame frame; ///< from the scan to that of the grid
   std::vector<BuildingRoom> rooms;
   std::vector<PlanStorey> storeys; ///< from the lowest up
   std::vector<RoomLink> links;     ///< on a storey; between two there are stairs

@@ -54,6 +54,13 @@ public:
   void setStoreyStep(double step) { parameters_.storey_step = step; }
   double getStoreyStep() const { return parameters_.storey_step; }
 
+  /** @brief Sets whether the grid lies in the frame of the building, so that rooms do
+   * not depend on how the scan lies, see sedr::findBuildingFrame(); all but the grid is
+   * turned back. Only for points thinned in that frame, as others leave holes in its
+   * cells. Default false. */
+  void setInBuildingFrame(bool is_in_frame) { parameters_.own_frame = is_in_frame; }
+  bool getInBuildingFrame() const { return parameters_.own_frame; }
+
   /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }

@@ -17,6 +17,7 @@ struct BuildingParameters {
   double minimum_area = 1.0;       ///< of a room with headroom, square metres
   double minimum_enclosure = 0.15; ///< share of a room's outline with walls
   double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
+  bool own_frame = false;   ///< whether the grid lies in that of findBuildingFrame()
   unsigned threads = 0;     ///< 0: all processors
 };
 
