@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../grids/disjoint_sets.h"
 #include "plan_bounds.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -46,35 +45,6 @@ complete(PlanStorey& storey,
   std::sort(storey.rooms.begin(), storey.rooms.end());
 }
 
-/** @brief Returns the rooms connected by shared heights as storeys. */
-std::vector<PlanStorey>
-storeysByHeight(const Floorplan& plan, const std::vector<RoomHeights>& heights)
-{
-  constexpr double beside = 0.5;
-  const auto n = static_cast<std::uint32_t>(heights.size());
-  DisjointSets<> sets(n);
-  for (std::uint32_t a = 0; a < n; ++a)
-    for (std::uint32_t b = a + 1; b < n; ++b)
-      if (commonShare(heights[a], heights[b]) > beside)
-        sets.join(a, b);
-  std::map<std::uint32_t, PlanStorey> of_set;
-  for (std::uint32_t r = 0; r < n; ++r)
-    of_set[sets.find(r)].rooms.push_back(plan.rooms[r].id);
-  std::vector<PlanStorey> storeys;
-  for (auto& [set, storey] : of_set) {
-    complete(storey, plan, heights);
-    storeys.push_back(std::move(storey));
-  }
-  std::stable_sort(
-      storeys.begin(), storeys.end(),
-      [](const PlanStorey& a, const PlanStorey& b) { return a.floor < b.floor; });
-  for (std::size_t s = 0; s < storeys.size(); ++s) {
-    storeys[s].number = static_cast<std::uint32_t>(s + 1);
-    storeys[s].name = storeyName(storeys[s].number);
-  }
-  return storeys;
-}
-
 PlanStorey&
 nearestOf(std::vector<PlanStorey>& storeys, double floor)
 {
@@ -112,6 +82,32 @@ namedStoreys(const Floorplan& plan, const std::vector<RoomHeights>& heights)
 }
 
 } // namespace
+
+std::vector<PlanStorey>
+storeysOf(std::vector<RoomLevel> rooms, double step)
+{
+  std::stable_sort(
+      rooms.begin(), rooms.end(),
+      [](const RoomLevel& a, const RoomLevel& b) { return a.floor < b.floor; });
+  std::vector<PlanStorey> storeys;
+  double mean = 0; // of the floors of the last storey
+  double area = 0;
+  for (const RoomLevel& room : rooms) {
+    if (storeys.empty() || room.floor >= mean + step) {
+      const auto number = static_cast<std::uint32_t>(storeys.size() + 1);
+      storeys.push_back({number, storeyName(number), room.floor, room.ceiling, {}});
+      mean = room.floor;
+      area = 0;
+    }
+    area += room.area;
+    mean += area > 0 ? (room.floor - mean) * room.area / area : 0;
+    storeys.back().ceiling = std::max(storeys.back().ceiling, room.ceiling);
+    storeys.back().rooms.push_back(room.id);
+  }
+  for (PlanStorey& storey : storeys)
+    std::sort(storey.rooms.begin(), storey.rooms.end());
+  return storeys;
+}
 
 RoomHeights
 heightsOf(const PlanRoom& room)
@@ -160,8 +156,13 @@ std::vector<PlanStorey>
 storeysOf(const Floorplan& plan)
 {
   const std::vector<RoomHeights> heights = heightsOf(plan);
-  return plan.storeys.empty() ? storeysByHeight(plan, heights)
-                              : namedStoreys(plan, heights);
+  if (!plan.storeys.empty())
+    return namedStoreys(plan, heights);
+  std::vector<RoomLevel> levels;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    levels.push_back(
+        {plan.rooms[r].id, heights[r].low, heights[r].high, plan.rooms[r].area()});
+  return storeysOf(std::move(levels));
 }
 
 std::map<std::uint32_t, std::uint32_t>

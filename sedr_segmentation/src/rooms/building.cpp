@@ -2,12 +2,12 @@
 #include "reflections.h"
 #include "room_description.h"
 #include "room_points.h"
-#include "storey_levels.h"
 
 #include "../scan/scan_excerpt.h"
 #include "../stairs/stairs.h"
 
 #include "sedr_filters/src/base/number_text.h"
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/impl/find_building.h>
 
 #include <algorithm>
@@ -156,6 +156,19 @@ keepRooms(std::vector<BuildingRoom> parts,
   return number;
 }
 
+/** @brief Lists the storeys, and gives each room its storey. */
+void
+listStoreys(double step, Building& building)
+{
+  std::vector<RoomLevel> levels;
+  for (const BuildingRoom& room : building.rooms)
+    levels.push_back({room.id, room.floor, room.ceiling, room.area});
+  building.storeys = storeysOf(std::move(levels), step);
+  for (const PlanStorey& storey : building.storeys)
+    for (const std::uint32_t room : storey.rooms)
+      building.rooms[room - 1].storey = storey.number;
+}
+
 /** @brief The openings between rooms: links, and where one climbs, stairs. */
 void
 tellOpenings(const std::vector<RoomOpening>& openings,
@@ -225,7 +238,7 @@ describe(const AirGaps& air,
       judge(air, parted, parts, points, behind, parameters, of_parting);
   const std::vector<std::uint32_t> number =
       keepRooms(std::move(parts), verdicts, building);
-  building.storeys = findStoreys(building.rooms, parameters.storey_step);
+  listStoreys(parameters.storey_step, building);
   tellOpenings(parted.openings, number, of_parting, building);
   addFlights(points, indices, fine, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

@@ -9,12 +9,12 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -38,7 +38,6 @@ struct FramePoints {
   std::vector<Eigen::Vector3d> slabs;   ///< points of level surfaces
   std::vector<Eigen::Vector3d> walls;   ///< all others
   std::vector<Eigen::Vector2d> upright; ///< some of them, in plan
-  std::vector<Eigen::Vector2d> all;
 };
 
 FramePoints
@@ -71,7 +70,6 @@ framePoints(const PointView& points,
       found.slabs.push_back(p);
     else
       found.walls.push_back(p);
-    found.all.emplace_back(p.head<2>());
   }
   constexpr std::size_t enough = 200000; // points that tell the walls
   const std::size_t step = found.walls.size() / enough + 1;
@@ -138,32 +136,52 @@ mainTurn(const FramePoints& points, unsigned threads)
   return turn;
 }
 
-/** @brief Returns the turn by a multiple of 90 degrees after which the building extends
+/** @brief Returns the squares that hold places, as coordinates in squares: of a surface
+ * there are as many however it lies in the voxels of the scan, which those that it lies
+ * askew in, or between, give more points. */
+std::vector<Eigen::Vector2d>
+squaresOf(std::vector<Eigen::Vector2d> places)
+{
+  for (Eigen::Vector2d& p : places)
+    p = (p / (5 * same_surface)).array().floor();
+  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+  });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+/** @brief Returns the turn by a multiple of 90 degrees after which a building extends
  * most along x, and farther to positive x than to negative x. Both count together, so
- * that one decides where the other is in doubt. */
+ * that one decides where the other is in doubt.
+ * @param points with the walls along the axes */
 double
-canonicalQuarter(const FramePoints& points, double turn)
+canonicalQuarter(const FramePoints& points)
 {
   constexpr double farthest = 1.5; // of the usual distance from the middle
+  std::vector<Eigen::Vector2d> all;
+  for (const auto* part : {&points.walls, &points.slabs})
+    for (const Eigen::Vector3d& p : *part)
+      all.emplace_back(p.head<2>());
+  all = squaresOf(std::move(all));
+  const auto size = static_cast<double>(all.size());
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : points.all)
-    middle += p / static_cast<double>(points.all.size());
+  for (const Eigen::Vector2d& p : all)
+    middle += p / size;
   Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
-  for (const Eigen::Vector2d& p : points.all)
+  for (const Eigen::Vector2d& p : all)
     square += (p - middle) * (p - middle).transpose();
-  const double usual =
-      std::sqrt(square.trace() / static_cast<double>(points.all.size()));
+  const double usual = std::sqrt(square.trace() / size);
   Eigen::Vector2d lean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : points.all) {
+  for (const Eigen::Vector2d& p : all) {
     const Eigen::Vector2d off = (p - middle) / usual;
     const double far = off.norm();
-    lean += off * std::pow(std::min(far, farthest), 3) / std::max(far, 1e-9) /
-            static_cast<double>(points.all.size());
+    lean += off * std::pow(std::min(far, farthest), 3) / std::max(far, 1e-9) / size;
   }
   double best = 0;
   double most = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {
-    const Eigen::Rotation2Dd to_axes(turn + k * quarter);
+    const Eigen::Rotation2Dd to_axes(k * quarter);
     const Eigen::Matrix2d axes = to_axes * square * to_axes.inverse();
     const Eigen::Vector2d leaning = to_axes * lean;
     const double stretch = (axes(0, 0) - axes(1, 1)) / axes.trace();
@@ -176,15 +194,12 @@ canonicalQuarter(const FramePoints& points, double turn)
 }
 
 /** @brief Returns the offset along an axis of the largest surface at a right angle to
- * it, metres. Its squares with points count, as of a wall that lies askew in the voxels
- * of the scan, or between two of them, there are more points.
+ * it, metres.
  * @param preference of the first one to the last, by so much of its size: of two alike
  * it is always the same that counts */
 double
 largestOf(const std::vector<Eigen::Vector3d>& points, int axis, double preference)
 {
-  constexpr double square = 0.1;
-  constexpr double comparable = 0.4; // of the most points
   if (points.empty())
     return 0;
   std::vector<double> offsets;
@@ -193,23 +208,20 @@ largestOf(const std::vector<Eigen::Vector3d>& points, int axis, double preferenc
   SmoothCounts peaks(offsets, same_surface);
   peaks.keepPeaks();
   const std::vector<double>& counts = peaks.counts;
-  const double enough = comparable * *std::max_element(counts.begin(), counts.end());
+  const double enough = *std::max_element(counts.begin(), counts.end()) / 2;
   double most = -1;
   double largest = 0;
   for (std::size_t k = 1; k + 1 < counts.size(); ++k) {
     if (counts[k] < enough || counts[k] < counts[k - 1] || counts[k] < counts[k + 1])
       continue;
     const double offset = peaks.first + peaks.bin * static_cast<double>(k);
-    std::vector<std::array<double, 2>> squares;
+    std::vector<Eigen::Vector2d> near;
     for (const Eigen::Vector3d& p : points)
       if (std::abs(p[axis] - offset) < 1.5 * same_surface)
-        squares.push_back({std::floor(p[(axis + 1) % 3] / square),
-                           std::floor(p[(axis + 2) % 3] / square)});
-    std::sort(squares.begin(), squares.end());
-    const auto end = std::unique(squares.begin(), squares.end());
+        near.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3]);
     const double share = static_cast<double>(k) / static_cast<double>(counts.size());
-    if (const double size =
-            static_cast<double>(end - squares.begin()) * (1 - preference * share);
+    if (const double size = static_cast<double>(squaresOf(std::move(near)).size()) *
+                            (1 - preference * share);
         size > most) {
       most = size;
       largest = offset;
@@ -247,13 +259,16 @@ findBuildingFrame(const PointView& points,
   frame.rotation = level;
   if (found.normals.empty())
     return frame;
-  double turn = mainTurn(found, threads);
-  turn += canonicalQuarter(found, turn);
-  const Eigen::Matrix3d turned = turnBy(turn);
-  const Eigen::Matrix3d to_walls = turned * level;
-  for (auto* const points : {&found.walls, &found.slabs})
-    for (Eigen::Vector3d& p : *points)
-      p = turned * p;
+  double turn = 0;
+  const auto turnOn = [&](double angle) {
+    turn += angle;
+    for (auto* const part : {&found.walls, &found.slabs})
+      for (Eigen::Vector3d& p : *part)
+        p.head<2>() = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(p.head<2>());
+  };
+  turnOn(mainTurn(found, threads));
+  turnOn(canonicalQuarter(found));
+  const Eigen::Matrix3d to_walls = turnBy(turn) * level;
   const Eigen::Vector3d corner(largestOf(found.walls, 0, 0.3),
                                largestOf(found.walls, 1, 0.3),
                                largestOf(found.slabs, 2, 0.8));

@@ -38,13 +38,24 @@ bool shareHeights(const PlanRoom& a, const PlanRoom& b);
 /** @brief Returns the rooms of a plan that share the given heights, in plan order. */
 std::vector<const PlanRoom*> roomsAt(const Floorplan& plan, const RoomHeights& heights);
 
+/** @brief The heights of a room, metres, and its area, square metres. */
+struct RoomLevel {
+  std::uint32_t id = 0;
+  double floor = 0;
+  double ceiling = 0;
+  double area = 0;
+};
+
+/** @brief Returns the storeys of rooms from the lowest up: a floor less than `step`
+ * metres above the mean one of a storey, by area, is in it. O(n log n). */
+std::vector<PlanStorey> storeysOf(std::vector<RoomLevel> rooms, double step = 1.6);
+
 /** @brief Returns the storeys from the lowest up. Every room is in exactly one storey,
  * and no storey is empty.
  *
  * Uses Floorplan::storeys if set, without rooms and storeys that no longer exist. An
- * unlisted room goes to the storey with the nearest floor. Otherwise a room joins a
- * storey if it shares more than half of the height of the less tall room with one of
- * its rooms. O(rooms squared). */
+ * unlisted room goes to the storey with the nearest floor. Otherwise floors decide, as
+ * above. */
 std::vector<PlanStorey> storeysOf(const Floorplan& plan);
 
 /** @brief Returns the storey number of each room, by PlanRoom::id. */
