@@ -112,9 +112,10 @@ public:
       }
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
-    expand(every, nullptr, 4);
-    while (prune())
+    do {
       expand(every, nullptr, 4);
+      leaveOutUnused();
+    } while (prune());
   }
 
   const std::vector<int>& labels() const { return labels_; }
@@ -133,6 +134,16 @@ private:
     return left == right
                ? 0
                : costs_.ofBorder(b, left, right, may_use_[borders_[b].line] != 0);
+  }
+
+  /** @brief Returns what a border costs in a cut: with its share of the price of the
+   * line that is tried to leave out, of which a cut knows nothing else. */
+  double cutCost(std::size_t b, int left, int right) const
+  {
+    const CellBorder& border = borders_[b];
+    return borderCost(b, left, right) + (left != right && border.line == tried_
+                                             ? tried_price_ * border.length()
+                                             : 0);
   }
 
   bool isWall(std::size_t b) const
@@ -181,22 +192,49 @@ private:
     for (bool goes_on = true; goes_on && sweeps-- > 0;) {
       goes_on = false;
       for (const int alpha : alphas) {
-        Changes changes = taken(alpha, cells ? *cells : costs_.cellsNear(alpha));
-        Changes old;
-        for (const auto& [cell, label] : changes)
-          old.emplace_back(cell, labels_[cell]);
-        const double change = set(changes);
-        if (change < -1e-6) {
-          rise += change;
-          before.insert(before.end(), old.begin(), old.end());
-          goes_on = true;
+        const auto changes = taken(alpha, cells ? *cells : costs_.cellsNear(alpha));
+        for (const Changes& part : parted(changes)) {
+          Changes old;
+          for (const auto& [cell, label] : part)
+            old.emplace_back(cell, labels_[cell]);
+          const double change = set(part);
+          if (change < -1e-6) {
+            rise += change;
+            before.insert(before.end(), old.begin(), old.end());
+            goes_on = true;
+          }
+          else
+            set(old);
         }
-        else
-          set(old);
       }
     }
     std::reverse(before.begin(), before.end());
     return {rise, std::move(before)};
+  }
+
+  /** @brief Parts changes into those of cells that hang together: some may be worth the
+   * prices of lines, which a cut does not know, and others not. */
+  std::vector<Changes> parted(const Changes& changes)
+  {
+    for (std::size_t i = 0; i < changes.size(); ++i)
+      local_[changes[i].first] = i;
+    std::vector<Changes> parts;
+    for (const auto& change : changes) {
+      if (local_[change.first] == none)
+        continue;
+      Changes& part = parts.emplace_back();
+      const auto add = [&](std::size_t cell) {
+        if (const std::size_t i = std::exchange(local_[cell], none); i != none)
+          part.push_back(changes[i]);
+      };
+      add(change.first);
+      for (std::size_t k = 0; k < part.size(); ++k)
+        for (const std::size_t b : of_cell_[part[k].first]) {
+          add(borders_[b].left);
+          add(borders_[b].right);
+        }
+    }
+    return parts;
   }
 
   /** @brief Returns what a label takes of some cells; the others keep theirs. */
@@ -215,17 +253,16 @@ private:
         const int right = labels_[border.right];
         const std::size_t other = border.left == c ? border.right : border.left;
         if (local_[other] == none) {
-          no += borderCost(b, left, right);
-          yes += border.left == c ? borderCost(b, alpha, right)
-                                  : borderCost(b, left, alpha);
+          no += cutCost(b, left, right);
+          yes += border.left == c ? cutCost(b, alpha, right) : cutCost(b, left, alpha);
           continue;
         }
         if (border.left != c)
           continue;
-        const double no_yes = borderCost(b, left, alpha);
-        const double yes_no = borderCost(b, alpha, right);
+        const double no_yes = cutCost(b, left, alpha);
+        const double yes_no = cutCost(b, alpha, right);
         // A thin part of `alpha` between two others may cost less than their border.
-        const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
+        const double no_no = std::min(cutCost(b, left, right), no_yes + yes_no);
         if (no_yes + yes_no > 0)
           cut.addPair(i, local_[other], no_no, no_yes, yes_no, 0);
       }
@@ -239,6 +276,15 @@ private:
         changes.emplace_back(cells[i], alpha);
     }
     return changes;
+  }
+
+  /** @brief Leaves out the lines on which there are no walls: what one costs that comes
+   * into use again, a cut does not know. */
+  void leaveOutUnused()
+  {
+    for (std::size_t line = 0; line < uses_.size(); ++line)
+      if (uses_[line].borders == 0)
+        may_use_[line] = 0;
   }
 
   /** @brief Leaves lines out, those first of which least is used, where that lowers the
@@ -295,7 +341,10 @@ private:
       }
     const std::vector<std::size_t> cells = cellsNear(line);
     may_use_[line] = 0;
+    tried_ = line;
+    tried_price_ = priceOf(line) / uses_[line].length;
     const auto [change, before] = expand({beside.begin(), beside.end()}, &cells, 2);
+    tried_ = none;
     if (rise + change < -1e-6)
       return true;
     set(before);
@@ -311,6 +360,8 @@ private:
   const std::vector<CellBorder>& borders_;
   double price_;
   std::vector<std::uint8_t> may_use_; ///< of each line
+  std::size_t tried_ = none;          ///< the line that is tried to leave out
+  double tried_price_ = 0;            ///< of it, by metre of walls on it
   std::vector<LineUse> uses_;
   std::vector<std::vector<std::size_t>> of_line_; ///< its borders
   std::vector<std::vector<std::size_t>> of_cell_;
