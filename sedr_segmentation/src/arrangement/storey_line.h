@@ -74,6 +74,10 @@ public:
   /** @brief Finds what is on a line where no surface reaches up to the ceiling. */
   void findBetween(StoreyLine& line) const;
 
+  /** @brief Finds what is on a line across the end of a face, along which it goes on as
+   * far as a surface below a window or above it. */
+  void findBesideEdge(StoreyLine& edge) const;
+
 private:
   Cell cellAt(const StoreyLine& line, std::size_t bin) const;
   static bool isIn(const std::vector<CellMask>& masks, Cell cell);

@@ -15,11 +15,10 @@ namespace {
 /** @brief Appends lines across the ends of faces that end at no other one; midway
  * between ends of several. */
 void
-appendEdges(std::vector<StoreyLine>& lines)
+appendEdges(const LineEvidence& evidence, std::vector<StoreyLine>& lines)
 {
-  constexpr double reach = 0.6;    // metres to both sides
-  constexpr double near = 0.06;    // metres, of another line
-  constexpr double shortest = 0.2; // metres, of a face that is found
+  constexpr double reach = 0.6; // metres to both sides
+  constexpr double near = 0.06; // metres, of another line
   const std::size_t faces = lines.size();
   std::vector<Eigen::AlignedBox2d> ends; // by edge
   for (std::size_t k = 0; k < faces; ++k) {
@@ -53,14 +52,7 @@ appendEdges(std::vector<StoreyLine>& lines)
       edge.from = -reach;
       edge.to = reach;
       edge.near = line.near;
-      const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
-      edge.any.assign(bins, 0);
-      edge.tall = edge.any;
-      edge.between.assign(bins, StoreyLine::Between::Nothing);
-      for (std::size_t i = 0; i < bins; ++i) // sides of pilasters may be too short
-        if (std::abs((static_cast<double>(i) + 0.5) * StoreyLine::bin - reach) <
-            shortest)
-          edge.between[i] = StoreyLine::Between::Beyond;
+      evidence.findBesideEdge(edge);
       lines.push_back(std::move(edge));
       ends.emplace_back(p);
     }
@@ -106,7 +98,7 @@ storeyLines(const StoreyEvidence& storey)
   const std::vector<StoreyLine> seen = lines;
   forEachLine([&](StoreyLine& line) { evidence.extendToCorners(seen, line); });
   forEachLine([&](StoreyLine& line) { evidence.findBetween(line); });
-  appendEdges(lines);
+  appendEdges(evidence, lines);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const StoreyLine& a, const StoreyLine& b) {
                      const auto order = [](const StoreyLine& line) {

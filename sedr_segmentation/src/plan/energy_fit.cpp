@@ -154,128 +154,200 @@ fitSurface(const PointView& points,
   return sheet;
 }
 
+/** @brief The fit of all rooms, step by step. */
+class PlanFit {
+public:
+  PlanFit(const PointView& points,
+          const PlanEvidence& evidence,
+          const RoomFitParameters& parameters)
+      : points_(points)
+      , parameters_(parameters)
+      , grid_(parameters.cell_size)
+      , numbers_(roomNumbers(evidence))
+      , parts_(roomEvidence(points, evidence, numbers_, parameters))
+      , slopes_(points, evidence.all, parameters.threads)
+      , rooms_(numbers_.size())
+      , covers_(numbers_.size())
+  {
+    for (std::size_t r = 0; r < rooms_.size(); ++r)
+      rooms_[r].id = numbers_[r];
+  }
+
+  FittedPlan run(const PointView& scan, const std::vector<int>& scan_indices)
+  {
+    findCells(scan, scan_indices);
+    labelStoreys();
+    fitSurfaces();
+    warnOfRooms();
+    if (fitted_.plan.rooms.empty())
+      fitted_.problem = fitted_.warnings.empty() ? "no ceiling point belongs to a room"
+                                                 : sentenceOf(fitted_.warnings.front());
+    return std::move(fitted_);
+  }
+
+private:
+  void findCells(const PointView& scan, const std::vector<int>& scan_indices)
+  {
+    const RoomCellsParameters of_cells;
+    takeWallsFromCeilings(points_, slopes_, grid_, parts_);
+    cells_ = roomCells(points_, labelledPoints(points_, parts_), slopes_, grid_,
+                       of_cells, parameters_.threads);
+    if (scan.size() > 0)
+      findGlass(scan, scan_indices, slopes_, grid_, of_cells, parameters_.threads,
+                cells_);
+  }
+
+  void labelStoreys()
+  {
+    const std::vector<Storey> storeys = storeysOf(cells_, grid_);
+    std::vector<std::vector<FittedBoundary>> of_storeys(storeys.size());
+    fitted_.noise.resize(storeys.size());
+    parallelBlocks(storeys.size(), 1, parameters_.threads,
+                   [&](std::size_t s, std::size_t) {
+                     of_storeys[s] = boundariesOf(storeys[s]);
+                     WallNoise& noise = fitted_.noise[s];
+                     noise = wallNoise(of_storeys[s], grid_.size());
+                     for (const std::size_t r : storeys[s].rooms)
+                       noise.rooms.push_back(numbers_[r]);
+                   });
+    for (auto& boundaries : of_storeys)
+      std::move(boundaries.begin(), boundaries.end(),
+                std::back_inserter(fitted_.boundaries));
+  }
+
+  /** @brief Labels a storey. Returns the boundary points of its rooms. */
+  std::vector<FittedBoundary> boundariesOf(const Storey& storey)
+  {
+    // Of the distance threshold three fifths are noise, the rest is a wall's own.
+    const double near = 0.6 * parameters_.tolerance;
+    const double max_wall = parameters_.priors.max_wall;
+    labelStorey({storey,
+                 cells_,
+                 grid_,
+                 max_wall,
+                 near,
+                 {parameters_.minimum_radius, parameters_.maximum_radius},
+                 parameters_.threads},
+                StoreyEnergy(), rooms_);
+    std::vector<const PlanRoom*> others;
+    for (const std::size_t r : storey.rooms)
+      others.push_back(&rooms_[r]);
+    std::vector<FittedBoundary> boundaries;
+    for (const std::size_t r : storey.rooms) {
+      if (rooms_[r].boundary.elements.empty())
+        continue;
+      covers_[r] = coverOf(rooms_[r], others, cells_[r], grid_, max_wall);
+      for (FittedBoundary& boundary :
+           outlineSamples(rooms_[r], cells_[r], grid_.size(), near))
+        boundaries.push_back(std::move(boundary));
+    }
+    return boundaries;
+  }
+
+  bool isKnownRoom(std::size_t r) const
+  {
+    return isKnown(parts_[r].ceiling, parts_[r].hidden.ceiling) &&
+           isKnown(parts_[r].floor, parts_[r].hidden.floor);
+  }
+
+  void fitSurfaces()
+  {
+    std::vector<std::vector<RoomSheet>> of_rooms(rooms_.size());
+    parallelBlocks(rooms_.size(), 1, parameters_.threads,
+                   [&](std::size_t r, std::size_t) {
+                     if (!rooms_[r].boundary.elements.empty() && isKnownRoom(r)) {
+                       of_rooms[r] = surfacesOf(r);
+                       rooms_[r].niches = nichesOf(r);
+                     }
+                   });
+    for (auto& sheets : of_rooms)
+      std::move(sheets.begin(), sheets.end(), std::back_inserter(fitted_.sheets));
+  }
+
+  /** @brief Fits ceiling and floor of a room. Returns those that are more than a plane.
+   */
+  std::vector<RoomSheet> surfacesOf(std::size_t r)
+  {
+    PlanRoom& room = rooms_[r];
+    const RoomEvidence& part = parts_[r];
+    const std::vector<Eigen::Vector3d> around = placesOf(points_, part.around);
+    std::vector<RoomSheet> sheets;
+    for (const bool is_floor : {false, true}) {
+      const std::vector<int> indices =
+          is_floor ? seenPoints(points_, grid_, part.floor, true) : part.sheets;
+      const Positions all = fitMainPlane(
+          points_, indices, is_floor ? part.hidden.floor : part.hidden.ceiling,
+          parameters_, is_floor ? room.floor : room.ceiling);
+      if (is_floor)
+        moveToFeet(slopes_, grid_, cells_[r], room);
+      RoomSheet sheet =
+          fitSurface(points_, indices, all, is_floor, around, parameters_, room);
+      if (!sheet.sheet.facets.empty())
+        sheets.push_back(std::move(sheet));
+    }
+    return sheets;
+  }
+
+  std::vector<PlanNiche> nichesOf(std::size_t r) const
+  {
+    std::vector<int> beside = parts_[r].around;
+    beside.insert(beside.end(), parts_[r].behind.begin(), parts_[r].behind.end());
+    NicheParameters of_niches;
+    of_niches.threads = 1;
+    of_niches.priors = parameters_.priors;
+    of_niches.cell_size = parameters_.cell_size;
+    return fitNiches(points_, beside, rooms_[r], of_niches);
+  }
+
+  /** @brief Gives the plan the rooms that are known, and warns of what is not. */
+  void warnOfRooms()
+  {
+    std::vector<PlanWarning>& warnings = fitted_.warnings;
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+      const auto warn = [&](const std::string& why) {
+        warnings.push_back({WarningKind::NoPlan, {}, numbers_[r], 0, why});
+      };
+      if (!isKnownRoom(r))
+        warn(std::to_string(parts_[r].ceiling.size()) + " ceiling points and " +
+             std::to_string(parts_[r].floor.size()) +
+             " floor points are too few, 3 are needed of each");
+      else if (rooms_[r].boundary.elements.empty())
+        warn("no closed outline could be fitted to " +
+             std::to_string(cells_[r].seen.count()) + " ceiling cells");
+      else {
+        const OutlineCover& cover = covers_[r];
+        if (cover.lost >= parameters_.minimum_detail_area)
+          warnings.push_back({WarningKind::CeilingApart, {cover.lost}, numbers_[r]});
+        if (cover.unseen >= parameters_.priors.min_slab_area)
+          warnings.push_back(
+              {WarningKind::Hidden, {cover.unseen, rooms_[r].area()}, numbers_[r]});
+        fitted_.plan.rooms.push_back(std::move(rooms_[r]));
+      }
+    }
+  }
+
+  const PointView& points_;
+  const RoomFitParameters& parameters_;
+  CellGrid grid_;
+  std::vector<std::uint32_t> numbers_; ///< of the rooms
+  std::vector<RoomEvidence> parts_;    ///< of each room, likewise below
+  WallSlopes slopes_;
+  std::vector<RoomCells> cells_;
+  std::vector<PlanRoom> rooms_;
+  std::vector<OutlineCover> covers_;
+  FittedPlan fitted_;
+};
+
 } // namespace
 
-Floorplan
+FittedPlan
 fitPlanByEnergy(const PointView& points,
                 const PlanEvidence& evidence,
                 const PointView& scan,
                 const std::vector<int>& scan_indices,
-                const RoomFitParameters& parameters,
-                std::string& problem,
-                std::vector<PlanWarning>& warnings,
-                std::vector<FittedBoundary>& boundaries,
-                std::vector<WallNoise>& noise,
-                std::vector<RoomSheet>& sheets)
+                const RoomFitParameters& parameters)
 {
-  Floorplan plan;
-  const Priors& priors = parameters.priors;
-  const unsigned threads = parameters.threads;
-  problem.clear();
-  warnings.clear();
-  const CellGrid grid(parameters.cell_size);
-  const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
-  std::vector<RoomEvidence> parts = roomEvidence(points, evidence, numbers, parameters);
-  const RoomCellsParameters of_cells;
-  const WallSlopes slopes(points, evidence.all, threads);
-  takeWallsFromCeilings(points, slopes, grid, parts);
-  std::vector<RoomCells> cells =
-      roomCells(points, labelledPoints(points, parts), slopes, grid, of_cells, threads);
-  if (scan.size() > 0)
-    findGlass(scan, scan_indices, slopes, grid, of_cells, threads, cells);
-  const std::vector<Storey> storeys = storeysOf(cells, grid);
-  std::vector<PlanRoom> rooms(numbers.size());
-  std::vector<OutlineCover> covers(numbers.size());
-  std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
-  noise.resize(storeys.size());
-  for (std::size_t r = 0; r < rooms.size(); ++r)
-    rooms[r].id = numbers[r];
-  // Of the distance threshold three fifths are noise, the rest is a wall's own.
-  const double near = 0.6 * parameters.tolerance;
-  parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
-    const std::vector<std::size_t>& beside = storeys[s].rooms;
-    labelStorey({storeys[s],
-                 cells,
-                 grid,
-                 priors.max_wall,
-                 near,
-                 {parameters.minimum_radius, parameters.maximum_radius},
-                 threads},
-                StoreyEnergy(), rooms);
-    std::vector<const PlanRoom*> others;
-    for (const std::size_t r : beside)
-      others.push_back(&rooms[r]);
-    for (const std::size_t r : beside) {
-      if (rooms[r].boundary.elements.empty())
-        continue;
-      covers[r] = coverOf(rooms[r], others, cells[r], grid, priors.max_wall);
-      for (FittedBoundary& boundary :
-           outlineSamples(rooms[r], cells[r], grid.size(), near))
-        fitted[s].push_back(std::move(boundary));
-    }
-    noise[s] = wallNoise(fitted[s], grid.size());
-    for (const std::size_t r : beside)
-      noise[s].rooms.push_back(numbers[r]);
-  });
-  std::vector<std::vector<RoomSheet>> of_rooms(numbers.size());
-  const auto isKnownRoom = [&](std::size_t r) {
-    return isKnown(parts[r].ceiling, parts[r].hidden.ceiling) &&
-           isKnown(parts[r].floor, parts[r].hidden.floor);
-  };
-  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    PlanRoom& room = rooms[r];
-    if (room.boundary.elements.empty() || !isKnownRoom(r))
-      return;
-    const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
-    for (const bool is_floor : {false, true}) {
-      const std::vector<int> indices =
-          is_floor ? seenPoints(points, grid, parts[r].floor, true) : parts[r].sheets;
-      const Positions all = fitMainPlane(
-          points, indices, is_floor ? parts[r].hidden.floor : parts[r].hidden.ceiling,
-          parameters, is_floor ? room.floor : room.ceiling);
-      if (is_floor)
-        moveToFeet(slopes, grid, cells[r], room);
-      RoomSheet sheet =
-          fitSurface(points, indices, all, is_floor, around, parameters, room);
-      if (!sheet.sheet.facets.empty())
-        of_rooms[r].push_back(std::move(sheet));
-    }
-    std::vector<int> beside = parts[r].around;
-    beside.insert(beside.end(), parts[r].behind.begin(), parts[r].behind.end());
-    NicheParameters of_niches;
-    of_niches.threads = 1;
-    of_niches.priors = priors;
-    of_niches.cell_size = parameters.cell_size;
-    room.niches = fitNiches(points, beside, room, of_niches);
-  });
-  for (std::size_t r = 0; r < rooms.size(); ++r) {
-    const auto warn = [&](const std::string& why) {
-      warnings.push_back({WarningKind::NoPlan, {}, numbers[r], 0, why});
-    };
-    if (!isKnownRoom(r))
-      warn(std::to_string(parts[r].ceiling.size()) + " ceiling points and " +
-           std::to_string(parts[r].floor.size()) +
-           " floor points are too few, 3 are needed of each");
-    else if (rooms[r].boundary.elements.empty())
-      warn("no closed outline could be fitted to " +
-           std::to_string(cells[r].seen.count()) + " ceiling cells");
-    else {
-      if (covers[r].lost >= parameters.minimum_detail_area)
-        warnings.push_back({WarningKind::CeilingApart, {covers[r].lost}, numbers[r]});
-      if (covers[r].unseen >= parameters.priors.min_slab_area)
-        warnings.push_back(
-            {WarningKind::Hidden, {covers[r].unseen, rooms[r].area()}, numbers[r]});
-      for (RoomSheet& sheet : of_rooms[r])
-        sheets.push_back(std::move(sheet));
-      plan.rooms.push_back(std::move(rooms[r]));
-    }
-  }
-  for (auto& of_storey : fitted)
-    std::move(of_storey.begin(), of_storey.end(), std::back_inserter(boundaries));
-  if (plan.rooms.empty())
-    problem = warnings.empty() ? "no ceiling point belongs to a room"
-                               : sentenceOf(warnings.front());
-  return plan;
+  return PlanFit(points, evidence, parameters).run(scan, scan_indices);
 }
 
 } // namespace pcl::sedr

@@ -118,7 +118,6 @@ fitFloorplan(const PlanInput& input,
   evidence.room = input.rooms;
   evidence.hidden = input.hidden;
   evidence.owners = input.owners;
-  std::vector<RoomSheet> sheets;
   // Null indices mean all points of the raw cloud, an empty list means none.
   const bool has_raw =
       input.raw.size() > 0 && !(input.raw_indices && input.raw_indices->empty());
@@ -126,11 +125,15 @@ fitFloorplan(const PlanInput& input,
   const Priors& priors = parameters.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
-  plan = fitPlanByEnergy(input.points, evidence, has_raw ? input.raw : PointView(),
-                         raw_indices, parameters, problem, warnings, boundaries, noise,
-                         sheets);
-  if (!problem.empty())
-    return problem;
+  FittedPlan fitted =
+      fitPlanByEnergy(input.points, evidence, has_raw ? input.raw : PointView(),
+                      raw_indices, parameters);
+  plan = std::move(fitted.plan);
+  warnings = std::move(fitted.warnings);
+  boundaries = std::move(fitted.boundaries);
+  noise = std::move(fitted.noise);
+  if (!fitted.problem.empty())
+    return fitted.problem;
   const PointView scan = has_raw ? input.raw : input.points;
   const pcl::Indices& of_scan = has_raw ? raw_indices : input.indices;
   AdjustmentParameters adjustment;
@@ -144,7 +147,7 @@ fitFloorplan(const PlanInput& input,
       joinNeighbours(column);
   }
   dropSharedNiches(plan);
-  giveCeilings(std::move(sheets), scan, of_scan, parameters.threads, plan);
+  giveCeilings(std::move(fitted.sheets), scan, of_scan, parameters.threads, plan);
   stateSlabs(plan, scan, of_scan, adjustment);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
