@@ -204,7 +204,7 @@ areasBesideWindows(const std::string& window)
                                                window +
                                                R"(}]}],
     "scanners": [{"stations": [[2, 2, 1.6], [3.5, 3, 1.6], [8, 2, 1.6], [9, 3.5, 1.6]],
-      "rays": 250000, "noise": 0.01, "jitter": 0.5}]})",
+      "rays": 60000, "noise": 0.01, "jitter": 0.5}]})",
                                            "windows");
   Reconstruction chain;
   chain.setInputCloud(cloudOf(scene, sim::noiseAndSeed(0.01, 1)));
@@ -229,19 +229,6 @@ TEST(Chain, leaves_a_wall_of_windows_where_its_lintel_is)
     EXPECT_NEAR(areas[0], 5.7 * 5.2, 0.1) << window;
     EXPECT_NEAR(areas[1], 4.74 * 5.15, 0.1) << window;
   }
-}
-
-TEST(Chain, finds_all_corners_of_soffit_and_recess)
-{
-  Reconstruction chain;
-  chain.setInputCloud(cloudOf("bls_room", sim::noiseAndSeed(0.01, 1)));
-  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
-  const auto& details = chain.getFloorplan()->rooms[0].details;
-  ASSERT_EQ(details.size(), 2U);
-  EXPECT_GE(details[0].boundary.elements.size(), 6U);
-  EXPECT_LE(details[0].boundary.elements.size(), 8U); // a jog of a centimetre
-  EXPECT_EQ(details[1].boundary.elements.size(), 4U);
 }
 
 TEST(Chain, names_the_stage_that_found_nothing)

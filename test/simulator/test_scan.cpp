@@ -63,16 +63,6 @@ TEST(Scan, everyRayOfAClosedRoomEndsOnItsSurfaces)
   }
 }
 
-TEST(Scan, curvesAreWithinATenthOfAMillimetre)
-{
-  const Scan result = scan(read(with(boxFile(), R"({
-      "/rooms/0/outline": {"circle": [2, 1.5], "radius": 3.5}})")));
-  for (const ScanPoint& p : result.points)
-    if (p.label == 3) {
-      EXPECT_NEAR(std::hypot(p.x - 2, p.y - 1.5), 3.5, 1.01e-4);
-    }
-}
-
 TEST(Scan, noiseIsGaussianAlongTheRay)
 {
   const Scene scene = read(boxFile());

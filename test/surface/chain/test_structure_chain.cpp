@@ -24,19 +24,6 @@ roomScannedEvery(double spacing, double length = 4, double width = 3)
   return points.cloud();
 }
 
-TEST(StructureChain, EndsBeforeTheStageAtWhichItIsCancelled)
-{
-  StructureChain chain;
-  chain.setStageCallback(
-      [](const std::string& name) { return name != "FloorplanFitting"; });
-  EXPECT_FALSE(chain.findStructure(roomScannedEvery(0.04)));
-  EXPECT_EQ(chain.getModel().problem, "cancelled before FloorplanFitting");
-  EXPECT_EQ(chain.getModel().failed_stage, "FloorplanFitting");
-  EXPECT_TRUE(chain.getModel().plan->rooms.empty());
-  chain.setStageCallback(nullptr);
-  EXPECT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
-}
-
 TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
   StructureChain chain;
@@ -267,27 +254,6 @@ TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
       << chain.getModel().problem;
   chain.setPriors(Priors());
   EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-}
-
-TEST(StructureChain, RefusesRoomsInFeetUnlessTheUnitIsKnown)
-{
-  for (const double unit : {1.0, 0.5}) {
-    RoomPoints points(0.1 * unit);
-    for (int room = 0; room < 3; ++room)
-      points.room(rectangle(14 * room * unit, 0, (14 * room + 12) * unit, 10 * unit), 0,
-                  8 * unit);
-    StructureChain chain;
-    const bool is_done = chain.findStructure(points.cloud());
-    EXPECT_EQ(is_done, unit != 1.0) << chain.getModel().problem;
-    if (is_done)
-      continue;
-    EXPECT_EQ(chain.getModel().failed_stage, "input");
-    EXPECT_NE(chain.getModel().problem.find("--unit 0.3048"), std::string::npos)
-        << chain.getModel().problem;
-    chain.setAssumptions({false, true});
-    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-    EXPECT_EQ(chain.getModel().unit_doubt, "");
-  }
 }
 
 } // namespace

@@ -102,27 +102,6 @@ TEST(MeshEvaluation, indices_select_and_points_that_are_not_finite_are_counted)
   EXPECT_EQ(result.cloud_to_mesh->count, 3u);
 }
 
-TEST(MeshEvaluation, one_thread_and_many_give_the_same_bits)
-{
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(share(torus()));
-  evaluation.setTruth(share(weldedSphere(2, 30)));
-  std::string texts[3];
-  const unsigned threads[3] = {1, 4, 0};
-  for (int i = 0; i < 3; ++i) {
-    evaluation.setNumberOfThreads(threads[i]);
-    MeshEvaluationResult result;
-    ASSERT_TRUE(evaluation.compute(result));
-    std::ostringstream text;
-    writeJson(text, result);
-    text.precision(17);
-    text << result.mesh_to_truth->mean << ' ' << result.truth_to_mesh->rms;
-    texts[i] = text.str();
-  }
-  EXPECT_EQ(texts[0], texts[1]);
-  EXPECT_EQ(texts[0], texts[2]);
-}
-
 TEST(MeshEvaluation, vertices_at_equal_places_count_when_welded)
 {
   MeshEvaluationResult result;

@@ -37,16 +37,6 @@ highest(vtkPolyData* shape)
   return shape->GetBounds()[5];
 }
 
-TEST(Palette, OfDistancesIsFromBlueToRedAndItsTextShort)
-{
-  EXPECT_EQ(distanceColour(0, 0.05), 0x2c5ac8);
-  EXPECT_EQ(distanceColour(0.05, 0.05), distanceColour(7, 0.05)) << "red from there on";
-  EXPECT_EQ(distanceColour(std::nan(""), 0.05), colours::other);
-  EXPECT_EQ(distanceText(0.003), "0.3 cm");
-  EXPECT_EQ(distanceText(0.04), "4 cm");
-  EXPECT_EQ(distanceText(1.2), "1.2 m");
-}
-
 TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
 {
   const Shapes shapes(result_);
@@ -112,28 +102,6 @@ TEST_F(ViewedSample, DrawsPlanLinesAndSolidEdges)
   state.ceilings = true;
   EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 12);
   EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12);
-}
-
-TEST_F(ViewedSample, PlanLinesFollowArcs)
-{
-  ViewedResult round;
-  PlanRoom room = planOf(BoxRoom());
-  PlanElement circle;
-  circle.start = circle.end = {3, 0};
-  circle.centre = {2, 0};
-  circle.radius = 1;
-  circle.counter_clockwise = false;
-  room.columns.push_back({{circle}});
-  round.plan.rooms.push_back(room);
-  const auto lines = Shapes(round).of("plan", {});
-  std::size_t on_circle = 0;
-  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
-    if (colourAt(lines, i) == colours::column) {
-      const Eigen::Vector3d p = Eigen::Vector3d::Map(lines->GetPoint(i));
-      EXPECT_NEAR((p.head<2>() - Eigen::Vector2d(2, 0)).norm(), 1, 1e-5);
-      ++on_circle;
-    }
-  EXPECT_GT(on_circle, 60u);
 }
 
 TEST_F(ViewedSample, LegendTellsAreasAndColours)

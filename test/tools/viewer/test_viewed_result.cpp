@@ -66,24 +66,6 @@ TEST_F(ViewedSample, OfOneFileIsWhatItHolds)
   EXPECT_EQ(readResult(text.string(), {}).bounds().max(), Eigen::Vector3d(4, 5, 6));
 }
 
-TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
-{
-  const std::string path = (folder_.path() / "scan.pcd").string();
-  constexpr std::size_t most = 700;
-  const DisplayCloud whole = displayCloudOf(ScanFile(path), most);
-  const DisplayCloud pieces = displayCloudOf(ScanFile(path, inPieces(100)), most);
-  EXPECT_LE(whole.size(), most);
-  EXPECT_GE(whole.size(), most / 2);
-  EXPECT_EQ(whole.points[0].x(), sample_.scan.points[0].x);
-  EXPECT_EQ(pieces.points, whole.points);
-  EXPECT_EQ(pieces.whole_size, sample_.scan.points.size());
-  const DisplayCloud thinned = thinnedCloudOf(ScanFile(path), 0.1, most);
-  EXPECT_EQ(thinned.points,
-            thinnedCloudOf(ScanFile(path, inPieces(100)), 0.1, most).points);
-  EXPECT_LE(thinned.size(), most);
-  EXPECT_GT(thinned.spacing, 0.1);
-}
-
 /** A point at 1e6 m would reduce the room to a dot. */
 TEST_F(ViewedSample, OfAScanWithAStrayPointTheRoomFillsTheView)
 {
