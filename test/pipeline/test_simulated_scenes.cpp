@@ -204,7 +204,7 @@ areasBesideWindows(const std::string& window)
                                                window +
                                                R"(}]}],
     "scanners": [{"stations": [[2, 2, 1.6], [3.5, 3, 1.6], [8, 2, 1.6], [9, 3.5, 1.6]],
-      "rays": 60000, "noise": 0.01, "jitter": 0.5}]})",
+      "rays": 250000, "noise": 0.01, "jitter": 0.5}]})",
                                            "windows");
   Reconstruction chain;
   chain.setInputCloud(cloudOf(scene, sim::noiseAndSeed(0.01, 1)));

@@ -29,21 +29,6 @@ TEST(Sections, ShowRoomsHeightsAndLevels)
   EXPECT_FALSE(sectionThroughStairs(plan));
 }
 
-TEST(Sections, OfOneRoomTellItsSizeOnce)
-{
-  const Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
-  const std::string dxf = drawSection(plan, {{0, 2}, {1, 2}}, {DrawingFormat::Dxf})[0];
-  EXPECT_EQ(countOf(dxf, "DIMENSION", "A-ANNO-DIMS"), 2u) << "breadth and height";
-}
-
-TEST(Sections, RunThroughRoundRooms)
-{
-  const Floorplan plan{{roomOf(circle({1, 2}, 2), 2.5)}};
-  const auto dxf = drawSection(plan, sectionThroughRooms(plan), {DrawingFormat::Dxf});
-  ASSERT_EQ(dxf.size(), 1u);
-  EXPECT_NEAR(outlinedArea(dxf[0]), 4 * 2.5, 0.01) << "the diameter";
-}
-
 TEST(Sections, AnOpeningIsAGapInItsWall)
 {
   Floorplan plan = twoStoreys();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes.h"
 
-#include "sedr_surface/src/mesh/mesh_repair.h"
 #include <pcl/PolygonMesh.h>
 #include <pcl/point_types.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
@@ -22,15 +21,6 @@ MeshPtr
 share(TriangleMesh mesh)
 {
   return std::make_shared<const TriangleMesh>(std::move(mesh));
-}
-
-TriangleMesh
-weldedSphere(double radius, int n)
-{
-  TriangleMesh mesh = sphere({0, 0, 0}, radius, n);
-  weldVertices(mesh);
-  mesh.removeUnusedVertices();
-  return mesh;
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -61,26 +51,6 @@ TEST(MeshEvaluation, a_cube_grown_by_a_centimetre_is_a_centimetre_off)
   EXPECT_NEAR(result.truth->area, 6, 1e-12);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_NEAR(result.sample_spacing, 0.005, 1e-4);
-}
-
-TEST(MeshEvaluation, points_on_a_sphere_of_another_radius_are_the_difference_away)
-{
-  std::vector<Eigen::Vector3d> points;
-  for (const auto& p : sphere({0, 0, 0}, 2.04, 10).vertices)
-    points.push_back(p);
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(share(weldedSphere(2, 120)));
-  evaluation.setInputCloud(cloudOf(points));
-  MeshEvaluationResult result;
-  ASSERT_TRUE(evaluation.compute(result));
-  EXPECT_EQ(result.cloud_to_mesh->count, points.size());
-  EXPECT_NEAR(result.cloud_to_mesh->mean, 0.04,
-              3e-4); // the facets lie within the sphere
-  EXPECT_NEAR(result.cloud_to_mesh->median, 0.04, 3e-4);
-  EXPECT_NEAR(result.mesh.volume, 4. / 3 * M_PI * 8, 0.01);
-  EXPECT_EQ(result.mesh.topology.euler_characteristic, 2);
-  EXPECT_FALSE(result.truth_to_mesh.has_value());
-  EXPECT_FALSE(result.truth.has_value());
 }
 
 TEST(MeshEvaluation, indices_select_and_points_that_are_not_finite_are_counted)

@@ -59,48 +59,11 @@ TEST(CeilingLines, AreWhereThereIsAStepOrAnAngle)
   EXPECT_EQ(lineCount(withAngle(7)), 1u);
 }
 
-TEST(CeilingLines, BordersAreDrawnWholeOrNotAtAll)
-{
-  // From 0 to 10 cm over 4 m: 3 cm and more on the last 2.8 m; to 5 cm, on 1.6 m.
-  for (const double slope : {0.025, 0.0125}) {
-    const auto found = ceilingLines(
-        roomWith({{rectangle(4, 0, 8, 4), slabAt(2.5, 0, slope)}}), at_1_50);
-    ASSERT_EQ(found.lines.size(), slope > 0.02 ? 1u : 0u);
-    EXPECT_EQ(found.part[0] == found.part[1], found.lines.empty());
-    for (const SurfaceLine& line : found.lines)
-      EXPECT_NEAR(line.element.length(), 4, 0.001);
-  }
-}
-
-TEST(CeilingLines, EndNowhereWithinAPart)
-{
-  // A step of 5 cm, x = 6, ends where a ramp leads from the main ceiling up beside it.
-  const PlanRoom room = roomWith({{rectangle(0, 2, 6, 4), slabAt(2.5, 0.05 / 6)},
-                                  {rectangle(6, 0, 8, 4), slabAt(2.55)}});
-  for (const SurfaceLine& line : ceilingLines(room, at_1_50).lines)
-    ADD_FAILURE() << line.element.start.transpose() << " to "
-                  << line.element.end.transpose();
-}
-
 TEST(CeilingLines, OfAThingThatIsTinyOnPaperAreNone)
 {
   const PlanRoom room = roomWith({{rectangle(4, 1, 4.25, 1.25), slabAt(2.2)}});
   EXPECT_EQ(ceilingLines(room, at_1_50).lines.size(), 0u);
   EXPECT_EQ(ceilingLines(room, 0.02).lines.size(), 4u);
-}
-
-TEST(CeilingLines, AreTheEdgesOfSoffitsInTheRoom)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
-  room.details = {detailOf(rectangle(4, -1, 7, 5), 2.2)};
-  const auto soffit = ceilingLines(room, at_1_50).lines;
-  ASSERT_EQ(soffit.size(), 1u);
-  EXPECT_NEAR(soffit[0].element.length(), 4, 0.001);
-  room.details = {detailOf(circle({6, 2}, 1), 2.2)};
-  const auto round = ceilingLines(room, at_1_50).lines;
-  ASSERT_EQ(round.size(), 1u);
-  EXPECT_EQ(round[0].element.radius, 1);
-  EXPECT_NEAR(round[0].element.length(), M_PI, 0.001);
 }
 
 TEST(CeilingLines, TwoPlanesMeetInTheirIntersection)
@@ -158,13 +121,6 @@ TEST(CeilingLines, OfAHippedRoofAreARidgeAndFourHips)
   EXPECT_EQ(ridges, 1u);
 }
 
-TEST(CeilingHeights, AreNotThoseOfAThing)
-{
-  PlanRoom room = hippedRoom(0.7);
-  room.details.push_back(detailOf(rectangle(3, 1.5, 3.4, 1.9), 0.5)); // of 32 m2
-  EXPECT_NEAR(heightRange(CeilingFaces(room)).first, 1, 1e-6);
-}
-
 TEST(HeightLines, EndAtSoffitsAndPlatforms)
 {
   // A slope from 1 to 3 m, and a soffit of 1.5 m across a part of it: the line of 2 m
@@ -181,21 +137,6 @@ TEST(HeightLines, EndAtSoffitsAndPlatforms)
     length += line.length();
   }
   EXPECT_NEAR(length, 3, 1e-3);
-}
-
-TEST(HeightLines, FollowAVault)
-{
-  // A barrel of 2 m that starts 1 m up.
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 0);
-  SlabCurve vault;
-  vault.centre = {0, 2};
-  vault.base = 1;
-  vault.across = vault.up = 2;
-  room.ceiling.curve = std::make_shared<SlabCurve>(vault);
-  const auto lines = heightLines(CeilingFaces(room), 2);
-  ASSERT_EQ(lines.size(), 2u);
-  for (const SurfaceLine& line : lines)
-    EXPECT_NEAR(std::abs(line.element.pointAt(3).y() - 2), std::sqrt(3), 0.002);
 }
 
 TEST(ContourLines, RunAroundADomeAtEqualHeights)

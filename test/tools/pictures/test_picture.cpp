@@ -19,20 +19,6 @@ box(double x0, double y0, double x1, double y1)
   return {Vector2d(x0, y0), Vector2d(x1, y1)};
 }
 
-TEST(Panel, ShowsACellWhereItIsAndLaterShapesOverEarlier)
-{
-  Panel panel("", box(-1, -1, 2, 2));
-  panel.addCells({{red, block(0, 9, 0, 9).keys()}}, 0.1);
-  panel.addCells({{blue, unite(block(2, 3, 7, 7), block(-5, -3, -2, -2)).keys()}}, 0.1);
-  EXPECT_EQ(colourAt(panel, {0.25, 0.75}), blue);
-  EXPECT_EQ(colourAt(panel, {0.35, 0.75}), blue);
-  EXPECT_EQ(colourAt(panel, {0.45, 0.75}), red);
-  EXPECT_EQ(colourAt(panel, {0.25, 0.85}), red);
-  EXPECT_EQ(colourAt(panel, {-0.35, -0.15}), blue);
-  EXPECT_EQ(colourAt(panel, {1.05, 0.05}), colours::paper);
-  EXPECT_EQ(colourAt(panel, {-0.05, 0.05}), colours::paper);
-}
-
 TEST(Panel, CellsSideBySideHaveNoSeam)
 {
   for (const double size : {3 + 0.13 * 21, 3 + 0.13 * 31, 3 + 0.13 * 33}) {

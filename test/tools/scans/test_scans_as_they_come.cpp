@@ -7,7 +7,6 @@
 #include "scan_options.h"
 #include "tools/in_folder.h"
 #include "tools/option_help.h"
-#include "tools/reading_settings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -222,7 +221,9 @@ TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
     lines += std::to_string(i % 900) + " 2 3\n";
   for (const std::string& bytes : {sample.bytes(), asE57(scanOf()), lines}) {
     writeFile(in("shrinks"), bytes);
-    const ScanFile scan(in("shrinks"), inPieces(100000));
+    ScanSettings pieces;
+    pieces.piece_bytes = 100000;
+    const ScanFile scan(in("shrinks"), pieces);
     std::string reason;
     try {
       scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {

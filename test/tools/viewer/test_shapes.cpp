@@ -59,28 +59,6 @@ TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
       << "furniture is red";
 }
 
-TEST_F(ViewedSample, CeilingsAreHiddenAtFirst)
-{
-  const Shapes shapes(result_);
-  const ViewState state;
-  ViewState closed;
-  closed.ceilings = true;
-  EXPECT_NEAR(highest(shapes.of("structure", state)), 2.475, 0.003)
-      << "the top row of wall points, which stay";
-  EXPECT_NEAR(highest(shapes.of("scan", state)), 2.35, 0.05)
-      << "without labels, what is 15 cm below the plan's ceiling";
-  EXPECT_NEAR(highest(shapes.of("scan", closed)), 2.5, 0.003);
-  for (const char* layer : {"mesh", "solid"}) {
-    const TriangleMesh& mesh = result_.mesh(layer);
-    const auto ceilings =
-        std::count(mesh.labels.begin(), mesh.labels.end(),
-                   static_cast<std::uint32_t>(StructureLabel::Ceiling));
-    const auto all = static_cast<vtkIdType>(mesh.triangles.size());
-    EXPECT_EQ(shapes.of(layer, closed)->GetNumberOfPolys(), all);
-    EXPECT_EQ(shapes.of(layer, state)->GetNumberOfPolys(), all - ceilings);
-  }
-}
-
 TEST_F(ViewedSample, OneRoomAloneIsShownInAllLayers)
 {
   const Shapes shapes(result_);
@@ -89,19 +67,6 @@ TEST_F(ViewedSample, OneRoomAloneIsShownInAllLayers)
   const double first = result_.rules.boxOf(2).min().x();
   for (const std::string& layer : layer_names)
     EXPECT_GE(shapes.of(layer, state)->GetBounds()[0], first - 0.16) << layer;
-}
-
-TEST_F(ViewedSample, DrawsPlanLinesAndSolidEdges)
-{
-  const Shapes shapes(result_);
-  ViewState state;
-  // A box has four lower, four upper and four vertical edges.
-  EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 8);
-  EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12)
-      << "the walls still end where the ceiling was";
-  state.ceilings = true;
-  EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 12);
-  EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12);
 }
 
 TEST_F(ViewedSample, LegendTellsAreasAndColours)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
 #include "tool_error.h"
-#include "tools/reading_settings.h"
 #include "tools/sample_files.h"
 #include "viewed_sample.h"
 
