@@ -3,16 +3,22 @@
 #include "model/solid_files.h"
 #include "plan_file.h"
 #include "results/result_folder.h"
-#include "results/unseen_walls.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/plan/missing_things.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
+#include <map>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace pcl::sedr::tools;
@@ -42,6 +48,71 @@ sectionOf(const std::string& text, const Floorplan& plan)
                     "not '" +
                     text + "'");
   return line;
+}
+
+/** @brief What a scan shows of a wall, see report.json. */
+struct WallMap {
+  double start = 0; ///< of the wall, from that of the map, metres
+  double base = 0;
+  double cell = 0;
+  long columns = 0;
+  long rows = 0;
+  std::string cells; ///< row by row from the top
+
+  bool isUnseen(double along, double height) const
+  {
+    const long column = std::lround(std::floor((start + along) / cell));
+    const long row = rows - 1 - std::lround(std::floor((height - base) / cell));
+    if (column < 0 || column >= columns || row < 0 || row >= rows)
+      return false;
+    const char state = cells[static_cast<std::size_t>(row * columns + column)];
+    return state == 'h' || state == 'e';
+  }
+};
+
+/** @brief Returns a text whose runs are written as their lengths and letters. */
+std::string
+withoutRuns(const std::string& runs)
+{
+  std::istringstream stream(runs);
+  std::string text;
+  std::size_t length = 0;
+  for (char letter = 0; stream >> length >> letter;)
+    text.append(length, letter);
+  return text;
+}
+
+/** @brief Returns which places of walls a scan did not show: hidden, or without points,
+ * as the maps of walls in a report.json tell, see DrawingSettings::is_unseen. Empty if
+ * there is none. */
+std::function<bool(std::uint32_t, std::size_t, double, double)>
+unseenPlaces(const nlohmann::ordered_json& report, const Floorplan& plan)
+{
+  std::map<std::pair<std::uint32_t, std::size_t>, WallMap> maps;
+  for (const auto& told : report.value("walls", nlohmann::ordered_json::array())) {
+    WallMap map{0,
+                told.value("base", 0.0),
+                told.value("cell", 0.0),
+                told.value("columns", 0L),
+                told.value("rows", 0L),
+                withoutRuns(told.value("cells", ""))};
+    const pcl::sedr::PlanRoom* const room = findRoom(plan, told.value("room", 0U));
+    if (!room || !(map.cell > 0) ||
+        map.cells.size() != static_cast<std::size_t>(map.columns * map.rows))
+      continue;
+    for (const std::size_t wall : told.value("walls", std::vector<std::size_t>())) {
+      if (wall < 1 || wall > room->boundary.elements.size())
+        break;
+      maps[{room->id, wall - 1}] = map;
+      map.start += room->boundary.elements[wall - 1].length();
+    }
+  }
+  if (maps.empty())
+    return {};
+  return [maps](std::uint32_t room, std::size_t wall, double along, double height) {
+    const auto map = maps.find({room, wall});
+    return map != maps.end() && map->second.isUnseen(along, height);
+  };
 }
 
 /** @brief Names of PaperSize, in its order. */

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_scan.h"
 #include "model/model_run.h"
-#include "mpi/joint_thinning.h"
+#include "mpi/joint_work.h"
 #include "mpi/ranks.h"
-#include "mpi/shared_rooms.h"
 #include "run_tool.h"
 #include "tool_error.h"
 

@@ -212,8 +212,7 @@ TYPED_TEST_P(Contract, InPlaceGivesTheSame)
 TYPED_TEST_P(Contract, AnotherCloudInTheSameObjectIsAsInAFreshOne)
 {
   const std::vector<Cloud::Ptr> clouds{sampleRoom(1, 4), sampleRoom(2, 3),
-                                       std::make_shared<Cloud>(), sampleRoom(3, 5),
-                                       sampleRoom(4, 5)};
+                                       std::make_shared<Cloud>(), sampleRoom(3, 5)};
   TypeParam stage;
   for (const auto& cloud : clouds) {
     stage.setInput(cloud);
@@ -247,7 +246,7 @@ TYPED_TEST_P(Contract, AnyNumberOfThreadsGivesTheSameBytes)
 {
   const auto cloud = withHoles(*sampleRoom(5, 8));
   const Outcome one = this->runOn(cloud, 1);
-  for (const unsigned threads : {1u, 2u, 3u, 7u, 0u})
+  for (const unsigned threads : {1u, 3u, 0u})
     EXPECT_EQ(this->runOn(cloud, threads).all, one.all) << threads << " threads";
 }
 

@@ -231,19 +231,6 @@ TEST(Chain, leaves_a_wall_of_windows_where_its_lintel_is)
   }
 }
 
-TEST(Chain, finds_all_corners_of_soffit_and_recess)
-{
-  Reconstruction chain;
-  chain.setInputCloud(cloudOf("bls_room", sim::noiseAndSeed(0.01, 1)));
-  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-  ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
-  const auto& details = chain.getFloorplan()->rooms[0].details;
-  ASSERT_EQ(details.size(), 2U);
-  EXPECT_GE(details[0].boundary.elements.size(), 6U);
-  EXPECT_LE(details[0].boundary.elements.size(), 8U); // a jog of a centimetre
-  EXPECT_EQ(details[1].boundary.elements.size(), 4U);
-}
-
 TEST(Chain, names_the_stage_that_found_nothing)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr floor(new pcl::PointCloud<pcl::PointXYZ>);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What rays find: distances, labels and shares known in closed form.
 #include "sample_scenes.h"
-#include "simulator/scan/ray_caster.h"
 #include "simulator/scan/scan.h"
 #include "simulator/temporary_folder.h"
 
@@ -30,24 +29,6 @@ countWithin(const Scan& scan, Label label, std::uint32_t room, Vec3 low, Vec3 hi
   return count;
 }
 
-TEST(RayCaster, givesDistancesInDoublePrecisionFarFromTheOrigin)
-{
-  const Scene scene = read(with(boxFile(), R"({
-      "/rooms/0/outline": {"rectangle": [[9000, -9000], [9005, -8996]]},
-      "/scanners/0/stations": [[9002, -8998, 1.5]]})"));
-  const SceneMesh mesh = meshOf(scene);
-  const RayCaster caster(mesh);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec2 way = rotated({1, 0}, 0.1 + i * 0.001);
-    const Ray ray{scene.scanners[0].stations[0], Vec3(way.x(), way.y(), 0)};
-    const auto hit = caster.nearest(ray, 0, 100);
-    ASSERT_TRUE(hit);
-    const double exact = std::min(3 / way.x() > 0 ? 3 / way.x() : 1e9, 2 / way.y());
-    EXPECT_NEAR(hit->distance, exact, 1e-8) << i;
-    EXPECT_FALSE(caster.nearest(ray, 0, exact - 1e-3));
-  }
-}
-
 TEST(Scan, everyRayOfAClosedRoomEndsOnItsSurfaces)
 {
   const Scan result = scan(read(boxFile()));
@@ -61,16 +42,6 @@ TEST(Scan, everyRayOfAClosedRoomEndsOnItsSurfaces)
                     ? near(p.z, 0)
                     : near(p.x, 0) || near(p.x, 5) || near(p.y, 0) || near(p.y, 4));
   }
-}
-
-TEST(Scan, curvesAreWithinATenthOfAMillimetre)
-{
-  const Scan result = scan(read(with(boxFile(), R"({
-      "/rooms/0/outline": {"circle": [2, 1.5], "radius": 3.5}})")));
-  for (const ScanPoint& p : result.points)
-    if (p.label == 3) {
-      EXPECT_NEAR(std::hypot(p.x - 2, p.y - 1.5), 3.5, 1.01e-4);
-    }
 }
 
 TEST(Scan, noiseIsGaussianAlongTheRay)

@@ -138,18 +138,6 @@ TEST(SceneFile, theExampleOfThePageIsAScene)
   EXPECT_EQ(scene.furniture.size(), 1U + 2U + 4U + 1U);
 }
 
-TEST(SceneFile, isFoundByNameOrByPath)
-{
-  const TemporaryFolder folder;
-  const std::string path = (folder.path() / "my scene.json").string();
-  std::ofstream(path) << boxFile().dump(2);
-  EXPECT_EQ(sceneNamed(path).name, "sample");
-  EXPECT_EQ(sceneNamed("hls_hall").name, "hls_hall");
-  EXPECT_THROW(sceneNamed("hls_hal"), std::invalid_argument);
-  EXPECT_THROW(sceneNamed((folder.path() / "none.json").string()),
-               std::invalid_argument);
-}
-
 /** @brief A change of a scene, and how the sentence that refuses it begins. */
 struct Refusal {
   const char* pointer;

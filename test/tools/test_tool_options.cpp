@@ -86,35 +86,6 @@ TEST(PlainText, EscapesWhatCannotBePrintedAndCutsWhatIsLong)
   EXPECT_EQ(quotedWord(std::string(100, 'a')), "'" + std::string(40, 'a') + "...'");
 }
 
-TEST(ToolOptions, AListOfFilesTakesWhatTheOthersLeave)
-{
-  std::vector<std::string> scans;
-  std::string folder;
-  bool fast = false;
-  Options options("pcl_sample", "Does something.");
-  options.files("SCAN", scans, "clouds");
-  options.file("OUT", folder, "results");
-  options.flag("fast", fast, "in haste");
-  const auto parse = [&](std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), "pcl_sample");
-    return options.parse(static_cast<int>(arguments.size()), arguments.data());
-  };
-  ASSERT_TRUE(parse({"a.pcd", "b.pcd", "--fast", "c.pcd", "model"}));
-  EXPECT_EQ(scans, std::vector<std::string>({"a.pcd", "b.pcd", "c.pcd"}));
-  EXPECT_EQ(folder, "model");
-  scans.clear();
-  ASSERT_TRUE(parse({"a.pcd", "model"}));
-  EXPECT_EQ(scans, std::vector<std::string>({"a.pcd"}));
-  try {
-    parse({"a.pcd"});
-    ADD_FAILURE() << "nothing was refused";
-  }
-  catch (const ToolError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "OUT is missing; usage: pcl_sample SCAN... OUT [options]");
-  }
-}
-
 TEST(ToolOptions, MayBeginWithOneDash)
 {
   SampleOptions sample;

@@ -12,9 +12,7 @@
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <pcl/point_cloud.h>
-#include <pcl/sedr_filters/impl/stage_filter.hpp>
-#include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/point_types.h>
 
 #include <gtest/gtest.h>
 
@@ -172,64 +170,6 @@ TEST(BuildingBlocks, WhatIsInstalledIncludesOnlyWhatIsInstalled)
       }
     }
   EXPECT_GT(includes, 50u);
-}
-
-TEST(StageIndices, AreSharedByPointerAndNoneFromNull)
-{
-  using pcl::sedr::StageIndices;
-  const pcl::PointIndices::Ptr found(new pcl::PointIndices);
-  found->indices = {3, 1};
-  EXPECT_EQ(StageIndices(found).get().get(), &found->indices);
-  EXPECT_EQ(*StageIndices(pcl::Indices{2}).get(), pcl::Indices{2});
-  EXPECT_EQ(StageIndices(nullptr).get(), nullptr);
-  EXPECT_EQ(pcl::sedr::indicesProblem("floor", StageIndices(found).get(), 3),
-            "floor index 3 is out of range, the cloud has 3 points");
-  EXPECT_EQ(pcl::sedr::indicesInRange({-1, 0, 3}, 3), pcl::Indices{0});
-  EXPECT_NE(pcl::sedr::lengthProblem("the grid size", std::nan("")), "");
-}
-
-/** A stage that keeps nothing and cannot work on fewer than two points. */
-struct PickyFilter : pcl::sedr::StageFilter<pcl::PointXYZ> {
-  PickyFilter()
-      : StageFilter(true)
-  {}
-
-  void applyFilter(PointCloud& output) override
-  {
-    startRun(output);
-    if (input_->size() < 2)
-      failRun("at least 2 points are needed, there is 1");
-  }
-};
-
-TEST(StageFilter, TellsWhyItFailedAndRemovesAll)
-{
-  PickyFilter filter;
-  pcl::PointCloud<pcl::PointXYZ> output;
-  output.resize(3);
-  filter.filter(output);
-  EXPECT_EQ(filter.getErrorMessage(), "no input cloud was set");
-  EXPECT_TRUE(output.empty());
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr one(new pcl::PointCloud<pcl::PointXYZ>);
-  one->push_back({});
-  filter.setInputCloud(one);
-  filter.filter(output);
-  EXPECT_EQ(filter.getErrorMessage(), "at least 2 points are needed, there is 1");
-  EXPECT_EQ(*filter.getRemovedIndices(), pcl::Indices{0});
-  one->push_back({});
-  filter.filter(output);
-  EXPECT_EQ(filter.getErrorMessage(), "");
-}
-
-TEST(VoxelGridSettings, AreThoseOfPclsVoxelGrid)
-{
-  struct Settings : pcl::sedr::VoxelGridSettings {
-  } settings;
-  EXPECT_EQ(settings.getLeafSize(), Eigen::Vector3f::Constant(0.05F));
-  settings.setLeafSize(Eigen::Vector4f(0.1F, 0.2F, 0.5F, 7));
-  EXPECT_EQ(settings.getLeafSize(), Eigen::Vector3f(0.1F, 0.2F, 0.5F));
-  EXPECT_EQ(settings.getMinimumPointsNumberPerVoxel(), 0u);
-  EXPECT_FALSE(settings.getRemoveStrays());
 }
 
 } // namespace

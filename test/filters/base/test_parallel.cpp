@@ -61,38 +61,6 @@ TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAsked
   EXPECT_LE(max_here, most);
 }
 
-/** Returns true if another thread helps within the last block of two, whichever of them
- * the caller works on. Gives up after a time limit, since only help ends the wait. */
-bool
-isHelpedWithin(bool last_is_callers)
-{
-  const auto caller = std::this_thread::get_id();
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  std::atomic<int> here{0};
-  std::atomic<bool> is_shared{false};
-  pcl::sedr::parallelBlocks(2, 1, 2, [&](std::size_t, std::size_t) {
-    for (++here; here < 2;) // once per thread
-      std::this_thread::yield();
-    const auto own = std::this_thread::get_id();
-    if ((own == caller) != last_is_callers)
-      return;
-    // In the first calls the other thread may still be returning from the outer blocks.
-    while (!is_shared && std::chrono::steady_clock::now() < end)
-      pcl::sedr::parallelBlocks(100, 1, 2, [&](std::size_t, std::size_t) {
-        std::this_thread::yield();
-        if (std::this_thread::get_id() != own)
-          is_shared = true;
-      });
-  });
-  return is_shared;
-}
-
-TEST(ParallelBlocks, WithinTheLastBlockAreHelpedWithByThoseWhoHaveNoneLeft)
-{
-  EXPECT_TRUE(isHelpedWithin(true));
-  EXPECT_TRUE(isHelpedWithin(false));
-}
-
 TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
 {
   // Each waits for the others, so fewer threads would never end.

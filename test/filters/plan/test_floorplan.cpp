@@ -82,27 +82,6 @@ TEST(PlanLoop, ContainsPointsOnTheChordsOfItsArcs)
   }
 }
 
-TEST(PlanLoop, ReversedIsTheSamePlaceTheOtherWay)
-{
-  for (const auto& loop :
-       {rectangle(1, 2, 5, 5), circle({3, -2}, 0.7), bittenRectangle(6, 4, 1)}) {
-    const PlanLoop back = reversed(loop);
-    ASSERT_EQ(back.elements.size(), loop.elements.size());
-    EXPECT_NEAR(back.area(), -loop.area(), 1e-12);
-    EXPECT_NEAR(back.length(), loop.length(), 1e-12);
-    for (std::size_t i = 0; i < back.elements.size(); ++i) {
-      const PlanElement& e = back.elements[i];
-      const PlanElement& same = loop.elements[loop.elements.size() - 1 - i];
-      const PlanElement& next = back.elements[(i + 1) % back.elements.size()];
-      EXPECT_NEAR((e.end - next.start).norm(), 0, 1e-12);
-      EXPECT_NEAR(
-          (e.pointAt(e.length() / 3) - same.pointAt(same.length() * 2 / 3)).norm(), 0,
-          1e-12);
-      EXPECT_NEAR((e.normalAt(0) + same.normalAt(same.length())).norm(), 0, 1e-12);
-    }
-  }
-}
-
 TEST(PlanLoop, DistanceAndNearestAreThoseOfTheNearestElement)
 {
   const PlanLoop loop = bittenRectangle(6, 4, 1);
@@ -170,20 +149,6 @@ TEST(PlanLoopPolygon, HasAtMostTenThousandChordsAnArcHoweverLargeItIs)
   EXPECT_LE(loop.polygon(0.01).size(), 10000u);
   loop.elements[0].radius = std::numeric_limits<double>::infinity();
   EXPECT_LE(loop.polygon(0.01).size(), 10000u);
-}
-
-TEST(PlanLoopPolygon, ChordsStayWithinTheTolerance)
-{
-  for (const double radius : {0.3, 20.0, 1000.0})
-    for (const double tolerance : {0.1, 1e-3}) {
-      const auto corners = circle({0, 0}, radius).polygon(tolerance);
-      const double half = M_PI / static_cast<double>(corners.size());
-      EXPECT_LE(radius * (1 - std::cos(half)), tolerance * (1 + 1e-6)) << radius;
-      if (corners.size() > 3) {
-        const double fewer = M_PI / static_cast<double>(corners.size() - 1);
-        EXPECT_GT(radius * (1 - std::cos(fewer)), tolerance * (1 - 1e-6)) << radius;
-      }
-    }
 }
 
 } // namespace

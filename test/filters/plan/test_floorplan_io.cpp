@@ -39,6 +39,26 @@ samplePlan()
   plan.rooms.push_back(room);
   plan.rooms.push_back(
       roomOf(rectangle(-1.0 / 3, 5e-324, 0.1, 1.0 / 7), 3, 4294967295u));
+  plan.storeys = {{1, "ground \"floor\"", 0, 2.5, {3}},
+                  {3, "attic", 2.8, 5.2, {4294967295u}}};
+  plan.stairs = {{{3, 4294967295u}, {M_PI, 1.5}, 0, 2.8}};
+  PlanFlight flight; // 4 steps along x, 1 m wide
+  flight.bottom = 0.1;
+  flight.rise = 0.175;
+  for (const double x : {5.0, 5.25, 5.5, 5.75})
+    flight.risers.push_back({Eigen::Vector2d(x, 1), Eigen::Vector2d(x, 0)});
+  plan.stairs[0].flights = {flight};
+  PlanOpening door{OpeningKind::Door, {3, 0}, {{3, 0}}, {1, -0.1},
+                   {1.9, -0.1},       0,      2.05};
+  door.rise = 0.2;
+  door.depth = 0.2;
+  door.hinge = OpeningHinge::End;
+  door.swing = 3;
+  door.state = OpeningState::Ajar;
+  door.confidence = 0.9;
+  door.residual = 0.003;
+  door.deviation_95 = 0.007;
+  plan.openings = {door};
   return plan;
 }
 
@@ -76,6 +96,33 @@ TEST(FloorplanJson, ReadsBackExactly)
   EXPECT_EQ(room.niches[0].top.plane, plan.rooms[0].niches[0].top.plane);
   EXPECT_TRUE(room.niches[0].bottom.curve && room.floor_details[0].slab.curve);
   EXPECT_FALSE(room.niches[0].top.curve);
+  ASSERT_EQ(read.storeys.size(), 2u);
+  EXPECT_EQ(read.storeys[0].name, "ground \"floor\"");
+  EXPECT_EQ(read.storeys[1].number, 3u);
+  EXPECT_EQ(read.storeys[1].rooms, (std::vector<std::uint32_t>{4294967295u}));
+  ASSERT_EQ(read.stairs.size(), 1u);
+  EXPECT_EQ(read.stairs[0].rooms, plan.stairs[0].rooms);
+  EXPECT_EQ(read.stairs[0].at, plan.stairs[0].at);
+  EXPECT_EQ(read.stairs[0].top, 2.8);
+  ASSERT_EQ(read.stairs[0].flights.size(), 1u);
+  const PlanFlight& flight = read.stairs[0].flights[0];
+  EXPECT_EQ(flight.risers, plan.stairs[0].flights[0].risers);
+  EXPECT_NEAR(flight.top(), 0.8, 1e-12);
+  EXPECT_NEAR(flight.going(), 0.25, 1e-12);
+  EXPECT_EQ(flight.outline().size(), 8u);
+  ASSERT_EQ(read.openings.size(), 1u);
+  const PlanOpening& door = read.openings[0];
+  EXPECT_EQ(door.kind, OpeningKind::Door);
+  EXPECT_EQ(door.rooms, plan.openings[0].rooms);
+  ASSERT_EQ(door.walls.size(), 1u);
+  EXPECT_EQ(door.walls[0].room, 3u);
+  EXPECT_EQ(door.start, Eigen::Vector2d(1, -0.1));
+  EXPECT_EQ(door.top + door.rise, 2.05 + 0.2);
+  EXPECT_EQ(door.hinge, OpeningHinge::End);
+  EXPECT_EQ(door.swing, 3u);
+  EXPECT_EQ(door.state, OpeningState::Ajar);
+  EXPECT_EQ(door.confidence, 0.9);
+  EXPECT_EQ(door.residual + door.deviation_95, 0.003 + 0.007);
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
 }
 

@@ -4,6 +4,8 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 
+#include <pcl/sedr_filters/floorplan_io.h>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -101,6 +103,34 @@ TEST(Storeys, AWallIsNotAsThickAsItIsFarFromOneAboveIt)
                         roomBetween(rectangle(4.1, 0, 8, 3), 2.8, 5.2, 3)}};
   EXPECT_NEAR(wallThicknesses(plan)[0][1], 0.3, 1e-9);
   EXPECT_EQ(wallThicknesses(plan)[2][3], 0);
+}
+
+TEST(StoreysInJson, StairsWithinARoomAreThoseWithFlights)
+{
+  Floorplan plan = twoStoreys();
+  PlanFlight flight;
+  flight.rise = 0.175;
+  for (const double x : {5.0, 5.25, 5.5})
+    flight.risers.push_back({Eigen::Vector2d(x, 1), Eigen::Vector2d(x, 0)});
+  plan.stairs = {{{2, 2}, {5, 1.5}, 0, 2.8, {flight}}};
+  std::string problem;
+  EXPECT_EQ(floorplanFromJson(floorplanToJson(plan), problem).stairs.size(), 1u);
+  plan.stairs[0].flights.clear();
+  EXPECT_TRUE(floorplanFromJson(floorplanToJson(plan), problem).stairs.empty());
+}
+
+TEST(StoreysInJson, ARoomThatIsGoneIsOutside)
+{
+  Floorplan plan = twoStoreys();
+  plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}, {3, "attic", 2.8, 5.2, {3, 4}}};
+  plan.stairs = {{{2, 4}, {5, 1.5}, 0, 2.8}};
+  plan.rooms.erase(plan.rooms.begin(), plan.rooms.begin() + 2);
+  std::string problem;
+  const Floorplan read = floorplanFromJson(floorplanToJson(plan), problem);
+  ASSERT_EQ(read.storeys.size(), 1u) << problem;
+  EXPECT_EQ(read.storeys[0].name, "attic");
+  ASSERT_EQ(read.stairs.size(), 1u);
+  EXPECT_EQ(read.stairs[0].rooms, (std::array<std::uint32_t, 2>{0, 4}));
 }
 
 } // namespace

@@ -33,44 +33,6 @@ tilted(PlanRoom room, std::size_t wall, double tilt)
   return room;
 }
 
-TEST(WallTilts, AWallEndsWhereItMeetsThoseBesideItAtThatHeight)
-{
-  PlanRoom room = roomOf(polygon({{0, 0}, {6, 0}, {4, 2}, {0, 2}}), 2.5);
-  EXPECT_FALSE(isTilted(room));
-  room = tilted(tilted(room, 1, ten_degrees), 2, -ten_degrees); // y = 2, out of it
-  EXPECT_TRUE(isTilted(room));
-  EXPECT_FALSE(isTilted(withVerticalWalls(room)));
-  const double z = 1.5;
-  const double shift = z * std::tan(ten_degrees);
-  const double x = 6 - std::sqrt(2) * shift; // of the slanted wall at y = 0
-  const PlanElement wall = wallAt(room, 1, z);
-  EXPECT_NEAR((wall.start - Eigen::Vector2d(x, 0)).norm(), 0, 1e-9);
-  EXPECT_NEAR((wall.end - Eigen::Vector2d(x - 2 - shift, 2 + shift)).norm(), 0, 1e-9);
-  EXPECT_NEAR(tiltReach(room), 2.5 * std::tan(ten_degrees), 1e-9);
-  EXPECT_NEAR(outermostBoundary(room).area(),
-              boundaryAt(tilted(room, 1, 0), 2.5).area(), 1e-9);
-}
-
-TEST(WallTilts, TheBoundaryOfARoomMovesWithTheHeightAboveItsFloor)
-{
-  const PlanRoom room = tilted(raisedRoom(), 1, ten_degrees); // x = 6, into the room
-  EXPECT_NEAR(boundaryAt(room, 1).area(), 24, 1e-9) << "at its foot";
-  for (const double up : {0.5, 2.5}) {
-    const double x = 6 - up * std::tan(ten_degrees);
-    const PlanLoop section = boundaryAt(room, 1 + up);
-    EXPECT_NEAR(section.area(), 4 * x, 1e-9);
-    EXPECT_NEAR((section.elements[1].start - Eigen::Vector2d(x, 0)).norm(), 0, 1e-9);
-    EXPECT_NEAR((section.elements[2].start - Eigen::Vector2d(x, 4)).norm(), 0, 1e-9);
-  }
-}
-
-TEST(WallTilts, ARoundWallIsACone)
-{
-  const PlanRoom room = tilted(roomOf(circle({3, 3}, 2), 2.5), 0, -ten_degrees);
-  EXPECT_NEAR(boundaryAt(room, 2).elements[0].radius, 2 + 2 * std::tan(ten_degrees),
-              1e-9);
-}
-
 TEST(WallTilts, TheHeadIsTheTopOfTiltedWallsOnly)
 {
   PlanRoom room = raisedRoom();

@@ -61,7 +61,7 @@ private:
   void scanFrom(const Vector3d& place)
   {
     positions.push_back({rows_->size(), place.cast<float>()});
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < 50000; ++i)
       see(place, anyDirection(random_));
   }
 

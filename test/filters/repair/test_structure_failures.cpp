@@ -56,31 +56,6 @@ using Stages = ::testing::Types<pcl::StructureRefinement<pcl::PointStructure>,
                                 pcl::VerticalHoleRepair<pcl::PointStructure>>;
 TYPED_TEST_SUITE(StructureStage, Stages);
 
-TYPED_TEST(StructureStage, WithoutInputItFailsWithAReasonAndForgetsTheLastRun)
-{
-  this->run(floorPoints(), planOf(rectangle(0, 0, 4, 3)));
-  ASSERT_EQ(this->stage.getErrorMessage(), "");
-  ASSERT_FALSE(this->output.empty());
-  this->run(nullptr, planOf(rectangle(0, 0, 4, 3)));
-  EXPECT_EQ(this->stage.getErrorMessage(), "no input cloud was set");
-  EXPECT_TRUE(this->output.empty());
-  EXPECT_TRUE(this->stage.getSourceIndices().empty());
-  EXPECT_TRUE(this->stage.getSurfacePoints().empty());
-  EXPECT_TRUE(this->stage.getRemovedIndices()->empty());
-}
-
-TYPED_TEST(StructureStage, AFailedRunRemovesAllIndicesThatTheCloudHas)
-{
-  this->run(floorPoints(), nullptr);
-  EXPECT_NE(this->stage.getErrorMessage(), "");
-  EXPECT_EQ(*this->stage.getRemovedIndices(), (pcl::Indices{0, 1, 2, 3}));
-  this->stage.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{3, 9, 1, -1}));
-  this->run(floorPoints(), planOf(rectangle(0, 0, 4, 3)));
-  EXPECT_NE(this->stage.getErrorMessage().find("index 9"), std::string::npos);
-  EXPECT_EQ(*this->stage.getRemovedIndices(), (pcl::Indices{3, 1}));
-  EXPECT_TRUE(this->output.empty());
-}
-
 TEST(StructureRefinement, LabelsAndRoomsThatAreSetStandForThoseOfThePoints)
 {
   pcl::StructureRefinement<pcl::PointStructure> refinement;

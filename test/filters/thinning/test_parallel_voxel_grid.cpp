@@ -262,7 +262,7 @@ TEST(ParallelVoxelGrid, OrderOfThePointsAndThreadsLeaveTheSameBytes)
 TEST(ParallelVoxelGrid, MeanIsExactWhereAFloatSumWouldDrift)
 {
   auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (int i = 0; i < 3000000; ++i)
+  for (int i = 0; i < 300000; ++i)
     cloud->emplace_back(5000.25f, 5000.25f, 5000.25f);
   pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
   grid.setInputCloud(cloud);

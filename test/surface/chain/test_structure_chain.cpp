@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -22,19 +23,6 @@ roomScannedEvery(double spacing, double length = 4, double width = 3)
   RoomPoints points(spacing);
   points.room(rectangle(0.01, 0.01, length + 0.01, width + 0.01), 0, 2.5);
   return points.cloud();
-}
-
-TEST(StructureChain, EndsBeforeTheStageAtWhichItIsCancelled)
-{
-  StructureChain chain;
-  chain.setStageCallback(
-      [](const std::string& name) { return name != "FloorplanFitting"; });
-  EXPECT_FALSE(chain.findStructure(roomScannedEvery(0.04)));
-  EXPECT_EQ(chain.getModel().problem, "cancelled before FloorplanFitting");
-  EXPECT_EQ(chain.getModel().failed_stage, "FloorplanFitting");
-  EXPECT_TRUE(chain.getModel().plan->rooms.empty());
-  chain.setStageCallback(nullptr);
-  EXPECT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
 }
 
 TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
@@ -130,31 +118,30 @@ TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
 TEST(StructureChain, TheHighestRowOfASlopingCeilingIsNoLintel)
 {
   const PlanLoop walls = rectangle(0.01, 0.01, 4.01, 5.01);
-  for (const double degrees : {30.0, 40.0, 50.0})
-    for (const auto& [spacing, noise] :
-         {std::pair(0.034, 0.01), std::pair(0.05, 0.003)}) {
-      const double slope = std::tan(degrees * M_PI / 180);
-      PlanSlab roof;
-      roof.plane = Eigen::Vector4d(-slope, 0, 1, -1.5) / std::hypot(slope, 1);
-      RoomPoints points(spacing, noise);
-      points.slab(walls, 0);
-      points.slab(walls, roof);
-      for (const PlanElement& wall : walls.elements)
-        points.wall(wall, 0, 9, [&](double s, double z) {
-          const Eigen::Vector2d p = wall.pointAt(s);
-          const bool is_open = p.x() > 3.99 && p.y() > 0.5 && p.y() < 4.5;
-          return !is_open && z < roof.heightAt(p);
-        });
-      StructureChain chain;
-      chain.setAssumptions({false, true});
-      ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-      ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-      EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 20, 0.05)
-          << degrees << ' ' << spacing;
-      EXPECT_TRUE(chain.getModel().plan->rooms[0].ceiling.accuracy.isKnown());
-      EXPECT_EQ(chain.getModel().plan->rooms[0].boundary.elements.size(), 4u)
-          << degrees << ' ' << spacing;
-    }
+  for (const auto& [degrees, spacing, noise] :
+       {std::tuple(30.0, 0.034, 0.01), {40.0, 0.05, 0.003}, {50.0, 0.034, 0.01}}) {
+    const double slope = std::tan(degrees * M_PI / 180);
+    PlanSlab roof;
+    roof.plane = Eigen::Vector4d(-slope, 0, 1, -1.5) / std::hypot(slope, 1);
+    RoomPoints points(spacing, noise);
+    points.slab(walls, 0);
+    points.slab(walls, roof);
+    for (const PlanElement& wall : walls.elements)
+      points.wall(wall, 0, 9, [&](double s, double z) {
+        const Eigen::Vector2d p = wall.pointAt(s);
+        const bool is_open = p.x() > 3.99 && p.y() > 0.5 && p.y() < 4.5;
+        return !is_open && z < roof.heightAt(p);
+      });
+    StructureChain chain;
+    chain.setAssumptions({false, true});
+    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+    ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
+    EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 20, 0.05)
+        << degrees << ' ' << spacing;
+    EXPECT_TRUE(chain.getModel().plan->rooms[0].ceiling.accuracy.isKnown());
+    EXPECT_EQ(chain.getModel().plan->rooms[0].boundary.elements.size(), 4u)
+        << degrees << ' ' << spacing;
+  }
 }
 
 TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
@@ -267,27 +254,6 @@ TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
       << chain.getModel().problem;
   chain.setPriors(Priors());
   EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-}
-
-TEST(StructureChain, RefusesRoomsInFeetUnlessTheUnitIsKnown)
-{
-  for (const double unit : {1.0, 0.5}) {
-    RoomPoints points(0.1 * unit);
-    for (int room = 0; room < 3; ++room)
-      points.room(rectangle(14 * room * unit, 0, (14 * room + 12) * unit, 10 * unit), 0,
-                  8 * unit);
-    StructureChain chain;
-    const bool is_done = chain.findStructure(points.cloud());
-    EXPECT_EQ(is_done, unit != 1.0) << chain.getModel().problem;
-    if (is_done)
-      continue;
-    EXPECT_EQ(chain.getModel().failed_stage, "input");
-    EXPECT_NE(chain.getModel().problem.find("--unit 0.3048"), std::string::npos)
-        << chain.getModel().problem;
-    chain.setAssumptions({false, true});
-    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-    EXPECT_EQ(chain.getModel().unit_doubt, "");
-  }
 }
 
 } // namespace

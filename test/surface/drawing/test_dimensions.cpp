@@ -17,24 +17,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(FloorplanDrawing, CrumbsHaveNoDimension)
-{
-  DrawingSettings settings;
-  settings.scale = 1; // there is space for each
-  const auto lengths = [&](double step) {
-    const PlanDrawing drawing(
-        planOf(polygon({{0, 0}, {1, 0}, {1, step}, {2, step}, {2, 1}, {0, 1}})),
-        settings, 0);
-    std::size_t count = 0;
-    for (const auto* dimensions : {&drawing.dimensions, &drawing.texts.walls})
-      for (const SheetDimension& dimension : *dimensions)
-        count += std::abs(dimension.length - step) < 1e-9;
-    return count;
-  };
-  EXPECT_EQ(lengths(0.049), 0u);
-  EXPECT_GT(lengths(0.051), 0u);
-}
-
 TEST(FloorplanDrawing, EveryDimensionHasItsLength)
 {
   // Pilasters of 0.6 m every 1.2 m along a wall: at 1:500 no length of one fits.
@@ -55,16 +37,6 @@ TEST(FloorplanDrawing, EveryDimensionHasItsLength)
     }
     EXPECT_NEAR(std::remainder(across, 24), 0, 0.31) << "rows of the whole length";
   }
-}
-
-TEST(FloorplanDrawing, TheOverallDimensionIsOfTheRoomsWithoutTheirNiches)
-{
-  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
-  plan.rooms[0].niches = {{rectangle(6, 1, 6.3, 2), slabAt(1), slabAt(2)}};
-  double longest = 0;
-  for (const SheetDimension& d : PlanDrawing(plan, scaled(50), 0).dimensions)
-    longest = std::max(longest, d.length);
-  EXPECT_NEAR(longest, 6, 1e-9);
 }
 
 TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
@@ -120,25 +92,6 @@ TEST(FloorplanDrawing, OuterOpeningsHaveAChainOfTheirOwn)
   ASSERT_FALSE(below.empty());
   EXPECT_EQ(below.rbegin()->second, (std::vector<double>{6, 1, 1})) << "nearest";
   EXPECT_EQ(right, (std::vector<double>{5, 1, 3}));
-}
-
-TEST(FloorplanDrawing, TheLengthOfAWideGapStandsInIt)
-{
-  // Extension lines of the wall between the rooms run through the middle of the gap.
-  Floorplan plan{
-      {roomOf(rectangle(0, 0, 3.5, 4), 2.5), roomOf(rectangle(3.74, 0, 7, 4), 2.5, 2)}};
-  plan.openings = {
-      {OpeningKind::Window, {1, 0}, {{1, 0}}, {1, -0.1}, {3, -0.1}, 1, 2, 0, 0.2},
-      {OpeningKind::Window, {2, 0}, {{2, 0}}, {4.4, -0.1}, {6.4, -0.1}, 1, 2, 0, 0.2}};
-  std::size_t gaps = 0;
-  for (const SheetDimension& d : PlanDrawing(plan, scaled(50), 0).dimensions)
-    if (std::abs(d.length - 1.4) < 1e-9) {
-      ++gaps;
-      ASSERT_TRUE(d.text);
-      EXPECT_GT(d.text->place.x(), std::min(d.start.x(), d.end.x()));
-      EXPECT_LT(d.text->place.x(), std::max(d.start.x(), d.end.x()));
-    }
-  EXPECT_EQ(gaps, 1u);
 }
 
 } // namespace

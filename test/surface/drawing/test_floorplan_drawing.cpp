@@ -112,20 +112,6 @@ TEST(FloorplanDrawing, OuterWallsHaveBothFaces)
   EXPECT_TRUE(holds(dxfOf(plan), "8\nA-WALL-EXTR\n"));
 }
 
-TEST(FloorplanDrawing, TheTitleBlockIsFilled)
-{
-  DrawingSettings settings;
-  settings.texts.title = "Mill Lane 14";
-  settings.texts.client = "Smith & Sons";
-  settings.texts.project = "P-17";
-  settings.texts.date = "2024-05-31";
-  settings.texts.drawn_by = "EK";
-  const std::string svg = svgOf(planOf(rectangle(0, 0, 6, 4)), settings);
-  for (const char* text : {">Floor plan<", ">Mill Lane 14<", ">Smith &amp; Sons<",
-                           ">P-17<", ">2024-05-31<", ">EK<"})
-    EXPECT_TRUE(holds(svg, text)) << text;
-}
-
 TEST(FloorplanDrawing, SectionsAreMarkedAtBothEnds)
 {
   const Floorplan plan = planOf(rectangle(0, 0, 6, 4));
@@ -155,17 +141,6 @@ TEST(FloorplanDrawing, SectionsAreMarkedAtBothEnds)
   EXPECT_FALSE(letters().first);
   EXPECT_TRUE(holds(drawSection(plan, settings.sections[0], {DrawingFormat::Svg})[0],
                     ">Section A-A<"));
-}
-
-TEST(FloorplanDrawing, TheSheetHoldsTheRevealsOfOpenings)
-{
-  Floorplan plan = planOf(rectangle(0, 0, 4, 3));
-  PlanOpening window;
-  window.start = {4.2, 1};
-  window.end = {4.2, 2};
-  window.depth = 0.4;
-  plan.openings = {window};
-  EXPECT_NEAR((boundsOf(plan, {}).max() - Eigen::Vector2d(4.4, 3)).norm(), 0, 1e-9);
 }
 
 TEST(FloorplanDrawing, AHeightBelowTheFloorIsNotPrinted)
@@ -211,33 +186,6 @@ TEST(FloorplanDrawing, TiltedWallsHaveTheirHead)
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_NEAR(lines[4].element.start.y(), -2.5 * std::tan(10 * M_PI / 180), 1e-9);
   EXPECT_EQ(lines[4].note, "tilt 10.0°");
-}
-
-TEST(FloorplanDrawing, TextsTellSizesAndHeights)
-{
-  Floorplan plan = planOf(rectangle(0, 0, 8, 6));
-  PlanRoom& room = plan.rooms[0];
-  room.columns = {reversed(circle({2, 2}, 0.2)), reversed(rectangle(5, 4, 5.3, 4.5))};
-  room.details = {detailOf(rectangle(0, 5, 8, 6), 2.2),
-                  detailOf(rectangle(9, 0, 10, 2), 2.1)}; // outside of the room
-  // Each step is drawn over the previous ones.
-  room.floor_details = {detailOf(rectangle(6, 0, 8, 4), 0.15),
-                        detailOf(rectangle(7, 0, 8, 4), 0.3)};
-  plan.openings = {{OpeningKind::Passage,
-                    {1, 0},
-                    {{1, 0}},
-                    {1.9, -0.1},
-                    {1, -0.1},
-                    0,
-                    2.05,
-                    0,
-                    0.2}};
-  const std::string svg = svgOf(plan);
-  for (const char* text : {">Room 1<", ">47.72 m²<", ">h 2.50 m<", ">Ø 0.40<",
-                           ">P1 0.90 x 2.05<", ">2.20<", ">+0.15<", ">+0.30<"})
-    EXPECT_TRUE(holds(svg, text)) << text;
-  EXPECT_TRUE(holds(svg, ">0.50 x 0.30<") || holds(svg, ">0.30 x 0.50<"));
-  EXPECT_FALSE(holds(svg, ">2.10<"));
 }
 
 TEST(FloorplanDrawing, AnArrowLeadsUpASlopeOfTheFloor)
@@ -345,18 +293,6 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.2000000\n20\n-1.2000000\n"));
   EXPECT_TRUE(holds(dxf, "\nattic\n"));
   EXPECT_FALSE(holds(dxf, "Room 1\n"));
-}
-
-TEST(FloorplanDxf, HasArcsCirclesAndDetails)
-{
-  EXPECT_TRUE(holds(dxfOf(planOf(bittenRectangle(6, 4, 1))),
-                    "8\nA-WALL\n100\nAcDbCircle\n10\n3.0000000\n20\n0.0000000\n30\n"
-                    "0.0000000\n40\n1.0000000\n100\nAcDbArc\n50\n0.0000000\n51\n"
-                    "180.0000000\n"));
-  EXPECT_EQ(countOf(dxfOf(planOf(circle({0, 0}, 1))), "CIRCLE", "A-WALL"), 1u);
-  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
-  plan.rooms[0].details = {detailOf(rectangle(4, -1, 7, 5), 2.2)};
-  EXPECT_EQ(countOf(dxfOf(plan), "LINE", "A-CLNG"), 1u);
 }
 
 TEST(FloorplanDrawing, FilesOfOneDrawingHaveTheDetailOfTheirFormat)

@@ -15,40 +15,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** The area in which a line cuts the solid of a room. */
-double
-cutArea(const PlanRoom& room, const SectionLine& line)
-{
-  TriangleMesh solid;
-  std::vector<SolidElement> elements;
-  EXPECT_TRUE(extrudeRoom(room, {}, solid, elements).closed);
-  double area = 0;
-  for (const PlanLoop& loop : cutOf(solid, line))
-    area += loop.area();
-  return area;
-}
-
-TEST(Sections, HaveTheAreaOfTheSolid)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.5);
-  const SectionLine across{{2, 0}, {2, 1}};
-  EXPECT_NEAR(cutArea(room, across), 4 * 2.5, 1e-6);
-  EXPECT_NEAR(cutArea(room, {{2, 3}, {2, -7}}), 4 * 2.5, 1e-6) << "seen from behind";
-  EXPECT_NEAR(cutArea(room, {{0, 0}, {1, 1}}), 4 * std::sqrt(2) * 2.5, 1e-6);
-  EXPECT_EQ(cutArea(room, {{6, 0}, {6, 1}}), 0);
-  room.details = {detailOf(rectangle(0, 0, 5, 0.6), 2.2)};
-  room.floor_details = {detailOf(rectangle(0, 3, 5, 4), 0.3)};
-  EXPECT_NEAR(cutArea(room, across), 4 * 2.5 - 0.6 * 0.3 - 0.3, 1e-6);
-  room.columns = {reversed(rectangle(1.8, 1, 2.2, 1.4))};
-  EXPECT_NEAR(cutArea(room, across), 4 * 2.5 - 0.6 * 0.3 - 0.3 - 0.4 * 2.5, 1e-6);
-  PlanRoom attic = roomOf(rectangle(0, 0, 5, 4), 2.5);
-  attic.ceiling = slabAt(1, 0, 0.5); // rises along y
-  EXPECT_NEAR(cutArea(attic, across), 4 * (1 + 3) / 2., 1e-6);
-  const double round = cutArea(roomOf(circle({0, 0}, 2), 2.5), {{1, 0}, {1, 1}});
-  EXPECT_NEAR(round, 2 * std::sqrt(3) * 2.5,
-              2.5 * 2 * SolidParameters().chord_tolerance / (std::sqrt(3) / 2));
-}
-
 TEST(Sections, ShowRoomsHeightsAndLevels)
 {
   const Floorplan plan = twoStoreys();
@@ -61,21 +27,6 @@ TEST(Sections, ShowRoomsHeightsAndLevels)
   EXPECT_NEAR(outlinedArea(drawSection(plan, line, {DrawingFormat::Dxf})[0]),
               (4 + 5) * (2.5 + 2.4), 1e-3);
   EXPECT_FALSE(sectionThroughStairs(plan));
-}
-
-TEST(Sections, OfOneRoomTellItsSizeOnce)
-{
-  const Floorplan plan{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
-  const std::string dxf = drawSection(plan, {{0, 2}, {1, 2}}, {DrawingFormat::Dxf})[0];
-  EXPECT_EQ(countOf(dxf, "DIMENSION", "A-ANNO-DIMS"), 2u) << "breadth and height";
-}
-
-TEST(Sections, RunThroughRoundRooms)
-{
-  const Floorplan plan{{roomOf(circle({1, 2}, 2), 2.5)}};
-  const auto dxf = drawSection(plan, sectionThroughRooms(plan), {DrawingFormat::Dxf});
-  ASSERT_EQ(dxf.size(), 1u);
-  EXPECT_NEAR(outlinedArea(dxf[0]), 4 * 2.5, 0.01) << "the diameter";
 }
 
 TEST(Sections, AnOpeningIsAGapInItsWall)

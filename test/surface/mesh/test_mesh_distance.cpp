@@ -52,38 +52,6 @@ TEST(MeshDistance, of_a_square_of_many_triangles_is_that_of_the_square)
   EXPECT_EQ(MeshDistance(mesh).distances(points, 2), distances);
 }
 
-TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)
-{
-  // Two squares of 1 m^2 and 9 m^2; the large one has two triangles, the small one
-  // many.
-  TriangleMesh mesh = box({0, 0, 0}, {3, 3, 0});
-  mesh.triangles.resize(2);
-  TriangleMesh fine;
-  for (int i = 0; i <= 20; ++i)
-    for (int j = 0; j <= 20; ++j)
-      fine.vertices.emplace_back(10 + i / 20., j / 20., 0);
-  for (std::uint32_t i = 0; i < 20; ++i)
-    for (std::uint32_t j = 0; j < 20; ++j) {
-      fine.triangles.push_back({21 * i + j, 21 * i + 21 + j, 21 * i + 22 + j});
-      fine.triangles.push_back({21 * i + j, 21 * i + 22 + j, 21 * i + j + 1});
-    }
-  mesh.append(fine);
-  const MeshSamples samples = sampleMesh(mesh, 0.05, 3);
-  EXPECT_EQ(samples.points.size(), 4000u);
-  EXPECT_NEAR(samples.spacing, 0.05, 1e-6);
-  std::size_t on_fine = 0;
-  std::vector<int> tiles(9, 0);
-  for (const auto& p : samples.points)
-    if (p.x() >= 10)
-      ++on_fine;
-    else
-      ++tiles[static_cast<std::size_t>(3 * static_cast<int>(p.x()) +
-                                       static_cast<int>(p.y()))];
-  EXPECT_NEAR(static_cast<double>(on_fine), 400, 2);
-  for (const int count : tiles) // random ones would deviate by twenty
-    EXPECT_NEAR(count, 400, 20);
-}
-
 TEST(DistanceStatistics, are_what_their_definitions_say)
 {
   std::vector<double> distances;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes.h"
 
-#include "sedr_surface/src/mesh/mesh_repair.h"
 #include <pcl/PolygonMesh.h>
 #include <pcl/point_types.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
@@ -22,15 +21,6 @@ MeshPtr
 share(TriangleMesh mesh)
 {
   return std::make_shared<const TriangleMesh>(std::move(mesh));
-}
-
-TriangleMesh
-weldedSphere(double radius, int n)
-{
-  TriangleMesh mesh = sphere({0, 0, 0}, radius, n);
-  weldVertices(mesh);
-  mesh.removeUnusedVertices();
-  return mesh;
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -63,26 +53,6 @@ TEST(MeshEvaluation, a_cube_grown_by_a_centimetre_is_a_centimetre_off)
   EXPECT_NEAR(result.sample_spacing, 0.005, 1e-4);
 }
 
-TEST(MeshEvaluation, points_on_a_sphere_of_another_radius_are_the_difference_away)
-{
-  std::vector<Eigen::Vector3d> points;
-  for (const auto& p : sphere({0, 0, 0}, 2.04, 10).vertices)
-    points.push_back(p);
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(share(weldedSphere(2, 120)));
-  evaluation.setInputCloud(cloudOf(points));
-  MeshEvaluationResult result;
-  ASSERT_TRUE(evaluation.compute(result));
-  EXPECT_EQ(result.cloud_to_mesh->count, points.size());
-  EXPECT_NEAR(result.cloud_to_mesh->mean, 0.04,
-              3e-4); // the facets lie within the sphere
-  EXPECT_NEAR(result.cloud_to_mesh->median, 0.04, 3e-4);
-  EXPECT_NEAR(result.mesh.volume, 4. / 3 * M_PI * 8, 0.01);
-  EXPECT_EQ(result.mesh.topology.euler_characteristic, 2);
-  EXPECT_FALSE(result.truth_to_mesh.has_value());
-  EXPECT_FALSE(result.truth.has_value());
-}
-
 TEST(MeshEvaluation, indices_select_and_points_that_are_not_finite_are_counted)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -100,27 +70,6 @@ TEST(MeshEvaluation, indices_select_and_points_that_are_not_finite_are_counted)
   evaluation.setIndices(nullptr);
   ASSERT_TRUE(evaluation.compute(result));
   EXPECT_EQ(result.cloud_to_mesh->count, 3u);
-}
-
-TEST(MeshEvaluation, one_thread_and_many_give_the_same_bits)
-{
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(share(torus()));
-  evaluation.setTruth(share(weldedSphere(2, 30)));
-  std::string texts[3];
-  const unsigned threads[3] = {1, 4, 0};
-  for (int i = 0; i < 3; ++i) {
-    evaluation.setNumberOfThreads(threads[i]);
-    MeshEvaluationResult result;
-    ASSERT_TRUE(evaluation.compute(result));
-    std::ostringstream text;
-    writeJson(text, result);
-    text.precision(17);
-    text << result.mesh_to_truth->mean << ' ' << result.truth_to_mesh->rms;
-    texts[i] = text.str();
-  }
-  EXPECT_EQ(texts[0], texts[1]);
-  EXPECT_EQ(texts[0], texts[2]);
 }
 
 TEST(MeshEvaluation, vertices_at_equal_places_count_when_welded)

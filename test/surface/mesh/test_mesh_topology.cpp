@@ -86,35 +86,10 @@ TEST(MeshTopology, degenerate_and_duplicate_triangles_are_counted)
   EXPECT_FALSE(topology.isClosedManifold());
 }
 
-TEST(MeshTopology, components_come_largest_first_with_their_own_volume)
-{
-  TriangleMesh inner = box({5, 5, 5}, {6, 6, 6});
-  inner.flip();
-  const MeshTopology topology = checkTopology(both(inner, box({0, 0, 0}, {2, 2, 2})));
-  ASSERT_EQ(topology.components.size(), 2u);
-  EXPECT_NEAR(topology.components[0].signed_volume, 8, 1e-12);
-  EXPECT_NEAR(topology.components[1].signed_volume, -1, 1e-12);
-  EXPECT_EQ(topology.euler_characteristic, 4);
-}
-
 TEST(TriangleMesh, volume_keeps_its_digits_far_from_the_origin)
 {
   const Eigen::Vector3d far(500000.1, 5000000.7, 100.3);
   const TriangleMesh mesh = box(far, far + Eigen::Vector3d(6, 5, 3));
   EXPECT_NEAR(mesh.signedVolume(), 90, 1e-6);
   EXPECT_NEAR(mesh.area(), 2 * (30 + 18 + 15), 1e-6);
-}
-
-TEST(TriangleMesh, append_fills_missing_attributes_with_zero)
-{
-  TriangleMesh mesh = unitCube();
-  TriangleMesh labelled = box({2, 0, 0}, {3, 1, 1});
-  labelled.labels.assign(12, 3);
-  labelled.rooms.assign(12, 2);
-  mesh.append(labelled);
-  EXPECT_EQ(mesh.problem(), "");
-  EXPECT_EQ(mesh.labels[11], 0u);
-  EXPECT_EQ(mesh.labels[12], 3u);
-  EXPECT_EQ(mesh.rooms[23], 2u);
-  EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
 }

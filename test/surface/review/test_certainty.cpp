@@ -12,12 +12,6 @@ using sedr_test::measuredRoom;
 
 namespace {
 
-double
-oddsOf(double probability)
-{
-  return std::log(probability / (1 - probability));
-}
-
 TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
 {
   Floorplan plan = measuredRoom();
@@ -36,19 +30,6 @@ TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
   for (std::size_t k = 0; k < truth.size(); ++k)
     EXPECT_NEAR(walls[2].signs[k], truth[k], 1e-9) << wallSigns()[k];
   EXPECT_EQ(walls[1].signs.back(), 0);
-}
-
-TEST(Certainty, IsALogisticFunctionWithStepsOfItsOwn)
-{
-  Floorplan plan = measuredRoom();
-  plan.rooms[0].boundary.elements[1].evidence = {0.1, 0.2, 0.7};
-  const auto walls = certaintyOfWalls(plan, {});
-  for (const Certainty& wall : walls)
-    for (const std::size_t k : {1, 2}) {
-      EXPECT_GT(wall.within[k], wall.within[k - 1]);
-      EXPECT_NEAR(oddsOf(wall.within[k]) - oddsOf(wall.within[0]),
-                  oddsOf(walls[0].within[k]) - oddsOf(walls[0].within[0]), 1e-4);
-    }
 }
 
 TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
@@ -70,17 +51,6 @@ TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
   for (PlanElement& any : plan.rooms[0].boundary.elements)
     any.evidence = {0, 0.5, 0.5};
   EXPECT_LT(of(plan, 0), 0.3) << "short ones follow their neighbours";
-}
-
-TEST(Certainty, OfNoisyScansIsLessForShortDistancesOnly)
-{
-  Floorplan plan = measuredRoom();
-  for (PlanElement& wall : plan.rooms[0].boundary.elements)
-    wall.accuracy.standard_error = 0.01; // of all, so that none stands out
-  const Certainty clear = certaintyOfWalls(measuredRoom(), {})[0];
-  const Certainty noisy = certaintyOfWalls(plan, {})[0];
-  EXPECT_NEAR(noisy.within[0] / clear.within[0], 0.6827, 1e-4) << "one deviation";
-  EXPECT_NEAR(noisy.within[2] / clear.within[2], 1, 1e-4);
 }
 
 TEST(Certainty, OfOpeningsFollowsTheirEdges)

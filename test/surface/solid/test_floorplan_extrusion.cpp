@@ -141,40 +141,4 @@ TEST(FloorplanExtrusion, ARoomThatCannotBeBuiltDoesNotStopTheOthers)
     EXPECT_EQ(extrusion.getElements().at(element - 1).room, 8u);
 }
 
-/** Makes one triangle, or nothing. */
-struct OneTriangle : MeshReconstruction<pcl::PointXYZ> {
-  bool can = true;
-
-  std::string getClassName() const override { return "OneTriangle"; }
-
-  bool run() override
-  {
-    clearError();
-    mesh_ = TriangleMesh();
-    if (!can)
-      return fail("OneTriangle", "it cannot");
-    mesh_.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    mesh_.triangles = {{0, 1, 2}};
-    return true;
-  }
-};
-
-TEST(MeshReconstruction, ServesBothFormsOfPclWithoutACloud)
-{
-  OneTriangle stage;
-  pcl::PolygonMesh mesh;
-  stage.reconstruct(mesh);
-  ASSERT_EQ(mesh.polygons.size(), 1u);
-  EXPECT_EQ(mesh.cloud.width * mesh.cloud.height, 3u);
-  pcl::PointCloud<pcl::PointXYZ> points;
-  std::vector<pcl::Vertices> polygons;
-  static_cast<MeshReconstruction<pcl::PointXYZ>&>(stage).reconstruct(points, polygons);
-  EXPECT_EQ(points.size(), 3u);
-  EXPECT_EQ(polygons.size(), 1u);
-  stage.can = false;
-  stage.reconstruct(mesh);
-  EXPECT_TRUE(mesh.polygons.empty());
-  EXPECT_EQ(stage.getErrorMessage(), "it cannot");
-}
-
 } // namespace

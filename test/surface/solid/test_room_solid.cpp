@@ -106,19 +106,6 @@ TEST(RoomSolid, ABeamACofferAndASoffitAllAround)
   EXPECT_FALSE(ring.hasVertex(0, 0, 2.5));
 }
 
-TEST(RoomSolid, DetailsThatMeetShareTheirEdge)
-{
-  // A corner of the second is on the first's edge: three heights meet in (3, 4).
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
-  room.details.push_back(detailOf(rectangle(0, 4, 6, 5), 2.2));
-  room.details.push_back(detailOf(rectangle(3, 2, 6, 4), 2.0));
-  const Solid solid(room);
-  expectPiece(solid, 30 * 2.5 - 6 * 0.3 - 6 * 0.5);
-  for (const double z : {2.0, 2.2, 2.5})
-    EXPECT_TRUE(solid.hasVertex(3, 4, z));
-  EXPECT_NEAR(solid.areaOf("room_1_detail_2_edge_3"), 3 * 0.2, 1e-5);
-}
-
 TEST(RoomSolid, ATiltedCeilingHasItsHeightAtTheCentroid)
 {
   PlanRoom room = roomOf(polygon({{0, 0}, {8, 0}, {8, 3}, {3, 3}, {3, 7}, {0, 7}}), 3);

@@ -57,7 +57,7 @@ randomRoom(std::mt19937& random)
 TEST(RoomSolidRandom, AnyPlanGivesASoundSolid)
 {
   std::mt19937 random(7);
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < 200; ++trial) {
     const Solid solid(randomRoom(random));
     if (solid.report.problem == "its plan encloses no room")
       continue;

@@ -49,26 +49,19 @@ imageOf(std::string png)
   return image;
 }
 
-/** Returns the colour of a panel at a place, metres. */
-inline Colour
-colourAt(const Panel& panel, const Eigen::Vector2d& place)
-{
-  pcl::sedr::Sheet sheet;
-  sheet.size = {600, 600};
-  const Box view = panel.view;
-  const double scale = 600 / view.sizes().maxCoeff();
-  panel.draw({0, 0}, scale, sheet);
-  EXPECT_TRUE(view.contains(place)) << place.transpose();
-  const Eigen::Vector2d at = scale * (place - view.min());
-  return imageOf(pcl::sedr::sheetPng(sheet))
-      .at(static_cast<int>(at.x()), static_cast<int>(600 - at.y()));
-}
-
 /** Returns the colour of map `i` of a picture at a place, metres. */
 inline Colour
 colourAt(const Picture& picture, std::size_t i, const Eigen::Vector2d& place)
 {
-  return colourAt(picture.maps.at(i), place);
+  const Panel& panel = picture.maps.at(i);
+  pcl::sedr::Sheet sheet;
+  sheet.size = {600, 600};
+  const double scale = 600 / panel.view.sizes().maxCoeff();
+  panel.draw({0, 0}, scale, sheet);
+  EXPECT_TRUE(panel.view.contains(place)) << place.transpose();
+  const Eigen::Vector2d at = scale * (place - panel.view.min());
+  return imageOf(pcl::sedr::sheetPng(sheet))
+      .at(static_cast<int>(at.x()), static_cast<int>(600 - at.y()));
 }
 
 /** Returns the cells of rows `y0` to `y1` and columns `x0` to `x1`, inclusive. */

@@ -19,20 +19,6 @@ box(double x0, double y0, double x1, double y1)
   return {Vector2d(x0, y0), Vector2d(x1, y1)};
 }
 
-TEST(Panel, ShowsACellWhereItIsAndLaterShapesOverEarlier)
-{
-  Panel panel("", box(-1, -1, 2, 2));
-  panel.addCells({{red, block(0, 9, 0, 9).keys()}}, 0.1);
-  panel.addCells({{blue, unite(block(2, 3, 7, 7), block(-5, -3, -2, -2)).keys()}}, 0.1);
-  EXPECT_EQ(colourAt(panel, {0.25, 0.75}), blue);
-  EXPECT_EQ(colourAt(panel, {0.35, 0.75}), blue);
-  EXPECT_EQ(colourAt(panel, {0.45, 0.75}), red);
-  EXPECT_EQ(colourAt(panel, {0.25, 0.85}), red);
-  EXPECT_EQ(colourAt(panel, {-0.35, -0.15}), blue);
-  EXPECT_EQ(colourAt(panel, {1.05, 0.05}), colours::paper);
-  EXPECT_EQ(colourAt(panel, {-0.05, 0.05}), colours::paper);
-}
-
 TEST(Panel, CellsSideBySideHaveNoSeam)
 {
   for (const double size : {3 + 0.13 * 21, 3 + 0.13 * 31, 3 + 0.13 * 33}) {
@@ -47,27 +33,6 @@ TEST(Panel, CellsSideBySideHaveNoSeam)
   }
 }
 
-TEST(Panel, DrawsSegmentsAndArcsOfARoomEachInItsColour)
-{
-  pcl::sedr::Floorplan plan{{{}}};
-  pcl::sedr::PlanElement chord;
-  chord.start = {-1, 0};
-  chord.end = {1, 0};
-  pcl::sedr::PlanElement arc;
-  arc.start = {1, 0};
-  arc.end = {-1, 0};
-  arc.radius = 1;
-  plan.rooms[0].boundary.elements = {chord, arc};
-  Panel panel("", box(-2, -2, 2, 2));
-  panel.addPlan(plan, 6);
-  EXPECT_EQ(colourAt(panel, {0, 0}), colours::ink);
-  EXPECT_EQ(colourAt(panel, {0, 1}), colours::arc);
-  EXPECT_EQ(colourAt(panel, {std::sqrt(0.5), std::sqrt(0.5)}), colours::arc);
-  EXPECT_EQ(colourAt(panel, {0, 0.5}), colours::paper);
-  panel.addPlan(plan, 6, red);
-  EXPECT_EQ(colourAt(panel, {0, 1}), red);
-}
-
 TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
 {
   const auto room = block(0, 99, 0, 79);
@@ -79,42 +44,6 @@ TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
   EXPECT_GE(viewOf(unite(room, block(120, 129, 0, 9)), 0.05).max().x(), 6.5)
       << "what is not far away stays";
   EXPECT_TRUE(viewOf({}, 0.05).isEmpty());
-}
-
-TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
-{
-  Panel map("map", box(-0.1, -0.1, 2.1, 1.6));
-  map.addCells({{colours::ceiling, block(0, 39, 0, 29).keys()}}, 0.05);
-  map.labels.emplace_back(Vector2d(1, 0.7), "1");
-  Panel other("other", box(-0.1, -0.1, 2.1, 3.1));
-  other.addCells({{colours::floor, block(0, 1, 0, 2).keys()}}, 1);
-  const Picture picture{"A picture",
-                        {map, map, map, other, map},
-                        {{"ceiling", colours::ceiling}}};
-  EXPECT_EQ(picture.png(), picture.png());
-  const Image image = imageOf(picture.png());
-  EXPECT_LE(image.width, 1200);
-  const auto countOf = [&](Colour colour) {
-    return std::count(image.pixels.begin(), image.pixels.end(), colour);
-  };
-  // Four maps and the legend use the ceiling's colour; only one map uses the floor's.
-  EXPECT_GT(countOf(colours::ceiling), 4 * 100 * 100);
-  EXPECT_GT(countOf(colours::floor), 50 * 50);
-}
-
-TEST(Picture, OfAFlatBuildingHasItsMapsBelowEachOther)
-{
-  const auto aspectOf = [](double width, double height) {
-    const Picture picture{"",
-                          std::vector<Panel>(3, Panel("", box(0, 0, width, height)))};
-    const Image image = imageOf(picture.png());
-    EXPECT_LE(image.width, 1200);
-    EXPECT_LE(image.height, 1000);
-    return static_cast<double>(image.width) / image.height;
-  };
-  EXPECT_LT(aspectOf(40, 2), 6) << "three rows of 1,168 by 58 pixels";
-  EXPECT_NEAR(aspectOf(2, 20), 0.6, 0.1) << "one row of three maps";
-  EXPECT_GT(aspectOf(4, 4), 2) << "one row";
 }
 
 TEST(Picture, ShowsItsMapsAtOneScale)

@@ -60,22 +60,6 @@ TEST(LabelPicture, ShowsWhatCameAndWhatWent)
   EXPECT_EQ(colourAt(picture, 1, at(10, 30)), colours::wall) << "no wall was there";
 }
 
-TEST(LabelPicture, CountsFinitePointsByLabelAndCell)
-{
-  pcl::PointCloud<pcl::PointXYZL> cloud;
-  for (const auto& [x, label] :
-       {std::pair(0.01F, 2U), {0.02F, 2U}, {0.06F, 9U}, {NAN, 2U}}) {
-    cloud.push_back({x, 0.01F, 0, label});
-  }
-  CellChanges changes;
-  countLabels(sedr_test::RowsInPieces(cloud), 1, changes);
-  EXPECT_EQ(changes.size(), 2u);
-  const LabelCounts floor{{{}, {0, 0, 2, 0, 0, 0}}};
-  const LabelCounts other{{{}, {1, 0, 0, 0, 0, 0}}};
-  EXPECT_EQ(changes[keyOf({0, 0})], floor);
-  EXPECT_EQ(changes[keyOf({1, 0})], other) << "no such label";
-}
-
 /** Adds profiles of a room with air from the floor to `ceiling`. */
 void
 addColumns(BuildingRoom& room, const CellSet& cells, float ceiling, bool is_seen)

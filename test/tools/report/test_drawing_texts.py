@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Texts of drawings do not touch each other: every text of an SVG as a turned box, over the truth of all
+"""Texts of drawings do not touch each other: every text of an SVG as a turned box, over the truth of
 built-in scenes, a house with roofs, and the plans that SEDR_PLANS names, parted by colons.
 
     test_drawing_texts.py pcl_floorplan_drawing pcl_simulate_indoor_scan pcl_sedr
@@ -20,6 +20,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from ifc_samples import house  # noqa: E402
 
 DRAWING, SIMULATOR, SEDR = sys.argv[1:4]
+# Many rooms, small ones, round walls, columns, stairs, coffers.
+SCENES = ("syn_flat", "hls_hall", "atrium", "gallery", "split_level", "two_storeys", "stairs_and_closet",
+          "curved_walls", "diagonal_rooms", "coffered_hall", "long_corridor")
 # Scans of a minute or less, with all that scenes do not have.
 REAL_SCANS = ("synth1.pcd", "stepped_room.pcd", "ifc_openhouse/scan.pcd")
 
@@ -156,9 +159,7 @@ class DrawingTexts(unittest.TestCase):
                     self.assertTrue(0 < x < size[0] and 0 < y < size[1], "%s %s on paper" % (what, box.text))
 
     def test_scenes(self):
-        scenes = re.findall(r"^(\w+)", self.run_tool(SIMULATOR, "--list"), re.M)
-        self.assertGreaterEqual(len(scenes), 10)
-        for scene in scenes:
+        for scene in SCENES:
             self.run_tool(SIMULATOR, scene, self.path(scene), "--rays", "200")
             with open(os.path.join(self.path(scene), "truth.json")) as file:
                 plan = plan_of(json.load(file))

@@ -26,6 +26,15 @@ saveCompressed(const std::string& path, const pcl::PCLPointCloud2& blob)
   ASSERT_EQ(pcl::PCDWriter().writeBinaryCompressed(path, blob), 0);
 }
 
+/** Returns settings that read a scan in pieces of about so many bytes. */
+inline pcl::sedr::tools::ScanSettings
+inPieces(std::size_t bytes)
+{
+  pcl::sedr::tools::ScanSettings settings;
+  settings.piece_bytes = bytes;
+  return settings;
+}
+
 /** A folder for scans that a test writes and reads. */
 class ScanFolder : public InFolder<> {
 protected:

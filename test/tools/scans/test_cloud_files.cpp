@@ -61,28 +61,6 @@ TEST_F(CloudFiles, AStructureInPiecesIsTheSameFile)
   }
 }
 
-TEST_F(CloudFiles, RowsAreSelectedAppendedAndGivenFields)
-{
-  auto blob = manyFields();
-  auto selected = selectRows(blob, {2, 0});
-  selected += selectRows(blob, {1, 1});
-  setCoordinates(selected, 3, {{7, 8, 9}});
-  EXPECT_EQ(floatField(selected, "ring"), (std::vector<float>{52, 50, 51, 51}));
-  EXPECT_EQ(floatField(selected, "y"), (std::vector<float>{22.25F, 20.25F, 21.25F, 8}));
-  selected += selectRows(selected, {0});
-  EXPECT_EQ(floatField(selected, "ring"), (std::vector<float>{52, 50, 51, 51, 52}));
-
-  setField(blob, "label", std::vector<std::uint32_t>{1, 2, 100000}); // was 16 bits
-  setField(blob, "room", std::vector<std::uint32_t>{4, 5, 6});
-  setField(blob, "normal_x", std::vector<float>{0.5F, 0.6F, 0.7F});
-  EXPECT_EQ(findField(blob, "label")->datatype, Field::UINT32);
-  EXPECT_EQ(wholeField(blob, "label"), (std::vector<std::uint32_t>{1, 2, 100000}));
-  EXPECT_EQ(wholeField(blob, "room"), (std::vector<std::uint32_t>{4, 5, 6}));
-  EXPECT_EQ(floatField(blob, "normal_x"), (std::vector<float>{0.5F, 0.6F, 0.7F}));
-  EXPECT_EQ(floatField(blob, "flag"), (std::vector<float>{60, 61, 62}));
-  EXPECT_TRUE(wholeField(blob, "nothing").empty());
-}
-
 TEST_F(CloudFiles, AFileIsWrittenWholeOrNotAtAll)
 {
   const std::string path = write("old", "a.txt");

@@ -3,7 +3,6 @@
 #include "scan_file.h"
 #include "scan_folder.h"
 
-#include "tools/reading_settings.h"
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include <cmath>
@@ -16,32 +15,6 @@ using namespace programs;
 using pcl::sedr::RowSource;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-/** A room of 6 x 6 x 2 m; one in 50 points is not finite, and one is far away. */
-std::vector<std::vector<float>>
-roomPoints(std::size_t n)
-{
-  std::mt19937 random(2);
-  std::uniform_real_distribution<float> coordinate(-3, 3);
-  std::vector<std::vector<float>> points;
-  for (std::size_t i = 0; i < n; ++i) {
-    points.push_back({coordinate(random), coordinate(random), coordinate(random) / 3});
-    if (i % 50 == 7)
-      points.back()[i % 3] = nan;
-  }
-  points.push_back({6e5F, -3e4F, 600.F});
-  return points;
-}
-
-pcl::PCLPointCloud2
-thinned(const RowSource& source, unsigned threads)
-{
-  pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
-  grid.setNumberOfThreads(threads);
-  pcl::PCLPointCloud2 output;
-  grid.filter(source, output);
-  return output;
-}
 
 class ScanFiles : public ScanFolder {
 protected:
@@ -123,20 +96,6 @@ TEST_F(ScanFiles, PiecesAndSingleRowsAreThoseOfTheWhole)
   EXPECT_THROW(ScanFile(in("missing.pcd")), ToolError);
 }
 
-TEST_F(ScanFiles, ThinningInPiecesIsThinningOfTheWhole)
-{
-  write(pcdBytes(roomPoints(20000)), "room.pcd");
-  write(pcdBytes({{nan, 0, 0}, {1, 2, 3}, {1.01F, 2, 3}}), "few.pcd");
-  for (const char* name : {"room.pcd", "few.pcd"}) {
-    const pcl::PCLPointCloud2 expected = thinned(ScanFile(in(name)), 1);
-    for (const std::size_t piece : {std::size_t{4099}, std::size_t{1} << 26})
-      for (const unsigned threads : {1u, 3u})
-        EXPECT_EQ(thinned(ScanFile(in(name), inPieces(piece)), threads).data,
-                  expected.data)
-            << name << " by " << piece;
-  }
-}
-
 TEST_F(ScanFiles, AnAxisOfTheFileBecomesZWithNormalsAndPositions)
 {
   writeFile(in("scan.pcd"),
@@ -168,21 +127,6 @@ TEST_F(ScanFiles, AnAxisOfTheFileBecomesZWithNormalsAndPositions)
   }
 }
 
-TEST_F(ScanFiles, DoublesAndUnitsAreBroughtIntoForm)
-{
-  std::string doubles =
-      "FIELDS z x y ring\nSIZE 8 8 8 2\nTYPE F F F U\nWIDTH 500\nDATA binary\n";
-  for (int i = 0; i < 500; ++i) {
-    for (const double v : {1000.0 + i % 7, 12.5 * (i % 300), -3.0 * i})
-      doubles.append(reinterpret_cast<const char*>(&v), sizeof v);
-    doubles += std::string("\5\0", 2);
-  }
-  const ToolCloud cloud = load(doubles, inUnit(0.001));
-  EXPECT_EQ((*cloud.points)[299].x, static_cast<float>(0.001 * 12.5 * 299));
-  EXPECT_EQ((*cloud.points)[1].z, 1.001F);
-  EXPECT_EQ(floatField(cloud.blob, "ring")[7], 5.F);
-}
-
 TEST_F(ScanFiles, OfAMeshItIsSaidOnceThatItsVerticesAreThePoints)
 {
   const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
@@ -202,7 +146,10 @@ TEST_F(ScanFiles, ASinglePointThatIsFiniteIsFound)
 {
   std::vector<std::vector<float>> points(250000, {nan, nan, nan});
   points[100777] = {1, 2, 3}; // between the rows of the first check
-  EXPECT_EQ(thinned(ScanFile(write(pcdBytes(points))), 2).width, 1u);
+  pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
+  pcl::PCLPointCloud2 thinned;
+  grid.filter(ScanFile(write(pcdBytes(points))), thinned);
+  EXPECT_EQ(thinned.width, 1u);
   points[100777] = {nan, 2, 3};
   EXPECT_NE(refusal(pcdBytes(points)).find("no finite point"), std::string::npos);
 }

@@ -2,7 +2,6 @@
 // What the readers give of good files, against values in closed form.
 #include "scan_file.h"
 #include "scan_folder.h"
-#include "tools/reading_settings.h"
 
 #include <cmath>
 #include <limits>

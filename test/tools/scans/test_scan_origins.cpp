@@ -4,7 +4,6 @@
 #include "joint_scan.h"
 #include "scan_folder.h"
 #include "scan_options.h"
-#include "tools/reading_settings.h"
 
 #include <pcl/io/pcd_io.h>
 
@@ -142,7 +141,9 @@ TEST_F(ScanOrigins, AViewpointIsAPositionOrAnOriginOrNothing)
   const auto with = [&](const std::string& viewpoint, double unit = 1, float size = 1) {
     write(replaced(pcdBytes({{size, 2, 3}, {4, size, 6}}), "VIEWPOINT 0 0 0",
                    "VIEWPOINT " + viewpoint));
-    return ScanFile(in("scan"), inUnit(unit));
+    ScanSettings settings;
+    settings.unit = unit;
+    return ScanFile(in("scan"), settings);
   };
   const Origin grid{{691600, 5336000, 0}};
   EXPECT_EQ(with("691600 5336000 0").origin(), grid);
@@ -191,7 +192,8 @@ TEST_F(ScanOrigins, AFileOfPositionsIsInTheFrameOfTheScan)
 {
   write("2000 0 0\n2001 0 0\n2000 2 1\n", "scan.xyz"); // counted from x = 2000
   const auto positionsIn = [&](const std::string& text, double unit = 1) {
-    ScanSettings settings = inUnit(unit);
+    ScanSettings settings;
+    settings.unit = unit;
     settings.positions = write(text, "positions.txt");
     return ScanFile(in("scan.xyz"), settings).positions();
   };

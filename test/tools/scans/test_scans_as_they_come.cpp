@@ -1,30 +1,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulated building as E57 and LAS in a national grid gives the plan of its PCD.
+// A room as E57 and LAS in a national grid, and the programs that read scans: their
+// options, what they write, and what they refuse.
+#include "plan_file.h"
+#include "room_scan_files.h"
+#include "scan_file.h"
 #include "scan_options.h"
-#include "scanned_building.h"
+#include "tools/in_folder.h"
+#include "tools/option_help.h"
+
+#include <nlohmann/json.hpp>
 
 #include <pcl/io/pcd_io.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
 
 namespace {
 
 using namespace pcl::sedr::tools;
 using namespace programs;
 using pcl::sedr::Origin;
+using Strings = std::vector<std::string>;
 
-class ScansAsTheyCome : public ScannedBuilding {};
+/** A box room as E57 and LAS in a national grid. */
+class ScansAsTheyCome : public InFolder<> {
+protected:
+  static inline const Eigen::Vector3d grid{691600, 5336000, 12};
 
-TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigin)
+  ProgramRun
+  model(const std::string& scan, const std::string& folder, const Strings& options = {})
+  {
+    return run(SEDR, {scan, in(folder), "--no-mesh"}, options);
+  }
+
+  /** Expects the plan of the room at its place in the grid. */
+  void expectRoom(const std::string& folder)
+  {
+    const pcl::sedr::PlanDocument file = loadPlan(in(folder) + "/floorplan.json");
+    ASSERT_EQ(file.plan.rooms.size(), 1u);
+    const pcl::sedr::PlanRoom& room = file.plan.rooms[0];
+    EXPECT_EQ(room.boundary.elements.size(), 4u);
+    EXPECT_NEAR(room.area(), 4 * 3, 0.05);
+    const Eigen::Vector3d off = file.origin.place - grid;
+    for (const auto& wall : room.boundary.elements) {
+      const Eigen::Vector2d corner = wall.start + off.head<2>();
+      EXPECT_NEAR(std::abs(corner.x() - 2.37), 2, 0.01);
+      EXPECT_NEAR(std::abs(corner.y() - 0.29), 1.5, 0.01);
+      EXPECT_NEAR(room.floor.heightAt(wall.start) + off.z(), 0, 0.01);
+      EXPECT_NEAR(room.ceiling.heightAt(wall.start) + off.z(), 2.5, 0.01);
+    }
+  }
+};
+
+TEST_F(ScansAsTheyCome, E57OfPosesInAGridGivesThePlanAndEveryOutputItsOrigin)
 {
-  writeFile(in("scan.e57"), e57());
+  writeFile(in("scan.e57"), asE57(scanOf(), grid));
   const ProgramRun made = model(in("scan.e57"), "of_e57");
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_NE(made.err.find("counted from (6916"), std::string::npos) << made.err;
-  expectPlan("of_e57");
+  expectRoom("of_e57");
   EXPECT_EQ(made.err.find("positions"), std::string::npos) << made.err;
   EXPECT_EQ(nlohmann::json::parse(bytesOf(in("of_e57/report.json")))
                 .at("positions")
                 .at("known"),
-            3);
+            2);
   const Origin origin = originOfModel(in("of_e57/floorplan.json"));
   EXPECT_FALSE(origin.isZero());
   EXPECT_EQ(origin, originOfModel(in("of_e57/report.json")));
@@ -42,19 +83,16 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
 
 TEST_F(ScansAsTheyCome, PosesThatAreNotWhereTheScannerStoodDoNoHarm)
 {
-  std::swap(stations_[0].place, stations_[2].place);
-  const std::string swapped = e57();
-  std::swap(stations_[0].place, stations_[2].place);
-  writeFile(in("swapped.e57"), swapped);
+  writeFile(in("swapped.e57"), asE57(scanOf(), grid, {{{-20, 0, 1}, {9, -20, 1.5}}}));
   ASSERT_EQ(model(in("swapped.e57"), "of_swapped").exit_code, 0);
-  expectPlan("of_swapped");
+  expectRoom("of_swapped");
 }
 
 TEST_F(ScansAsTheyCome, LasGivesThePlanAlsoByTheStandardInput)
 {
-  writeFile(in("scan.las"), las());
+  writeFile(in("scan.las"), asLas(scanOf(), grid));
   ASSERT_EQ(model(in("scan.las"), "of_las").exit_code, 0);
-  expectPlan("of_las");
+  expectRoom("of_las");
   const std::string command = "cat " + programs::quoted(in("scan.las")) + " | " +
                               programs::quoted(PARALLEL_VOXEL_GRID) + " - " +
                               programs::quoted(in("piped.pcd")) + " 2>/dev/null";
@@ -65,7 +103,7 @@ TEST_F(ScansAsTheyCome, LasGivesThePlanAlsoByTheStandardInput)
 
 TEST_F(ScansAsTheyCome, TwoScansOfASiteAreComparedInOneFrame)
 {
-  writeFile(in("site.las"), las());
+  writeFile(in("site.las"), asLas(scanOf(), grid));
   ASSERT_EQ(model(in("site.las"), "one").exit_code, 0);
   ASSERT_EQ(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code,
             0);
@@ -98,6 +136,109 @@ TEST_F(ScansAsTheyCome, PositionsTellWhatWindowsMirror)
   EXPECT_GT(positionsOf("known").at("mirrored_points"), 1000);
   const ProgramRun refused = model(scan, "no", {"--positions", scan});
   expectSentence(refused, 1);
+}
+
+TEST(ScanPrograms, AllTakeTheSameReadingOptions)
+{
+  for (const char* program : {SEDR, PARALLEL_VOXEL_GRID, SCAN_TO_PCD,
+#ifdef SEDR_MPI
+                              SEDR_MPI
+#endif
+       }) {
+    std::map<std::string, std::string> texts;
+    for (const OptionHelp& option : optionsIn(run(program, {"--help"}).out))
+      texts[option.name] = option.text;
+    static std::map<std::string, std::string> first;
+    if (first.empty())
+      first = texts;
+    for (const char* name :
+         {"unit", "up", "origin", "scan", "skip-broken", "columns"}) {
+      ASSERT_EQ(texts.count(name), 1u) << program << " --" << name;
+      EXPECT_EQ(texts[name], first[name]) << program;
+    }
+  }
+}
+
+TEST_F(ScansAsTheyCome, BadOptionsAndScansThatStayTooLargeAreOneSentence)
+{
+  writeFile(in("large.las"), asLas(scanOf(), grid));
+  writeFile(in("cloud.pcd"), scanOf().pcd(false));
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--origin", "1,2"},
+        {"--origin", "0,0,0"},
+        {"--origin", in("nowhere")},
+        {"--origin", in("large.las")},
+        {"--origin", in("cloud.pcd")},
+        {"--scan", "2"},
+        {"--skip-broken"},
+        {"--columns", "x,y,z"}}) {
+    const ProgramRun made = model(in("large.las"), "refused", options);
+    expectSentence(made, 1);
+    EXPECT_FALSE(std::filesystem::exists(in("refused")));
+  }
+}
+
+TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
+{
+  writeFile(in("scan.e57"), asE57(scanOf(), grid));
+  writeFile(in("scan.las"), asLas(scanOf(), grid));
+  const ProgramRun listed = run(SCAN_TO_PCD, {in("scan.e57"), "--list"});
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_NE(listed.out.find("station"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find(Origin{grid + Eigen::Vector3d(2.5, 1.5, 1.4)}.text(", ")),
+            std::string::npos)
+      << listed.out;
+  const ProgramRun both =
+      run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--list", "--scan", "9"});
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_NE(both.err.find("it takes no --scan"), std::string::npos) << both.err;
+  ASSERT_EQ(run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
+            0);
+  const ToolCloud one = loadCloud(in("one.pcd"));
+  const RoomScan scan = scanOf();
+  ASSERT_EQ(one.size(), scan.points.size() / 2);
+  for (std::size_t i = 0; i < one.size(); i += 100) {
+    const Eigen::Vector3d place(scan.points[i].x, scan.points[i].y, scan.points[i].z);
+    const Eigen::Vector3f p = (*one.points)[i].getVector3fMap();
+    EXPECT_LT((one.origin.toGiven(p.cast<double>()) - grid - place).norm(), 3e-6);
+  }
+  ASSERT_EQ(run(SCAN_TO_PCD, {in("scan.las"), in("all.ply")}).exit_code, 0);
+  EXPECT_EQ(loadCloud(in("all.ply")).blob.data, loadCloud(in("scan.las")).blob.data);
+  EXPECT_EQ(run(SCAN_TO_PCD, {in("scan.e57")}).exit_code, 1);
+  const ProgramRun broken = run(SCAN_TO_PCD, {in("scan.e57") + "x", in("no.pcd")});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(in("no.pcd")));
+}
+
+TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
+{
+  LasSample sample;
+  sample.points.assign(200000, {1, 2, 3});
+  for (std::size_t i = 0; i < sample.points.size(); ++i)
+    sample.points[i][0] = static_cast<std::int32_t>(i);
+  std::string lines;
+  for (int i = 0; i < 100000; ++i)
+    lines += std::to_string(i % 900) + " 2 3\n";
+  for (const std::string& bytes : {sample.bytes(), asE57(scanOf()), lines}) {
+    writeFile(in("shrinks"), bytes);
+    ScanSettings pieces;
+    pieces.piece_bytes = 100000;
+    const ScanFile scan(in("shrinks"), pieces);
+    std::string reason;
+    try {
+      scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
+        if (piece.first == 0)
+          std::filesystem::resize_file(in("shrinks"), 300000);
+        return true;
+      });
+    }
+    catch (const std::exception& error) {
+      reason = error.what();
+    }
+    EXPECT_NE(reason.find("could not be read to its end: it has become shorter"),
+              std::string::npos)
+        << reason;
+  }
 }
 
 } // namespace

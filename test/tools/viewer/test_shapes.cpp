@@ -37,16 +37,6 @@ highest(vtkPolyData* shape)
   return shape->GetBounds()[5];
 }
 
-TEST(Palette, OfDistancesIsFromBlueToRedAndItsTextShort)
-{
-  EXPECT_EQ(distanceColour(0, 0.05), 0x2c5ac8);
-  EXPECT_EQ(distanceColour(0.05, 0.05), distanceColour(7, 0.05)) << "red from there on";
-  EXPECT_EQ(distanceColour(std::nan(""), 0.05), colours::other);
-  EXPECT_EQ(distanceText(0.003), "0.3 cm");
-  EXPECT_EQ(distanceText(0.04), "4 cm");
-  EXPECT_EQ(distanceText(1.2), "1.2 m");
-}
-
 TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
 {
   const Shapes shapes(result_);
@@ -69,28 +59,6 @@ TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
       << "furniture is red";
 }
 
-TEST_F(ViewedSample, CeilingsAreHiddenAtFirst)
-{
-  const Shapes shapes(result_);
-  const ViewState state;
-  ViewState closed;
-  closed.ceilings = true;
-  EXPECT_NEAR(highest(shapes.of("structure", state)), 2.475, 0.003)
-      << "the top row of wall points, which stay";
-  EXPECT_NEAR(highest(shapes.of("scan", state)), 2.35, 0.05)
-      << "without labels, what is 15 cm below the plan's ceiling";
-  EXPECT_NEAR(highest(shapes.of("scan", closed)), 2.5, 0.003);
-  for (const char* layer : {"mesh", "solid"}) {
-    const TriangleMesh& mesh = result_.mesh(layer);
-    const auto ceilings =
-        std::count(mesh.labels.begin(), mesh.labels.end(),
-                   static_cast<std::uint32_t>(StructureLabel::Ceiling));
-    const auto all = static_cast<vtkIdType>(mesh.triangles.size());
-    EXPECT_EQ(shapes.of(layer, closed)->GetNumberOfPolys(), all);
-    EXPECT_EQ(shapes.of(layer, state)->GetNumberOfPolys(), all - ceilings);
-  }
-}
-
 TEST_F(ViewedSample, OneRoomAloneIsShownInAllLayers)
 {
   const Shapes shapes(result_);
@@ -99,41 +67,6 @@ TEST_F(ViewedSample, OneRoomAloneIsShownInAllLayers)
   const double first = result_.rules.boxOf(2).min().x();
   for (const std::string& layer : layer_names)
     EXPECT_GE(shapes.of(layer, state)->GetBounds()[0], first - 0.16) << layer;
-}
-
-TEST_F(ViewedSample, DrawsPlanLinesAndSolidEdges)
-{
-  const Shapes shapes(result_);
-  ViewState state;
-  // A box has four lower, four upper and four vertical edges.
-  EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 8);
-  EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12)
-      << "the walls still end where the ceiling was";
-  state.ceilings = true;
-  EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 12);
-  EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12);
-}
-
-TEST_F(ViewedSample, PlanLinesFollowArcs)
-{
-  ViewedResult round;
-  PlanRoom room = planOf(BoxRoom());
-  PlanElement circle;
-  circle.start = circle.end = {3, 0};
-  circle.centre = {2, 0};
-  circle.radius = 1;
-  circle.counter_clockwise = false;
-  room.columns.push_back({{circle}});
-  round.plan.rooms.push_back(room);
-  const auto lines = Shapes(round).of("plan", {});
-  std::size_t on_circle = 0;
-  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
-    if (colourAt(lines, i) == colours::column) {
-      const Eigen::Vector3d p = Eigen::Vector3d::Map(lines->GetPoint(i));
-      EXPECT_NEAR((p.head<2>() - Eigen::Vector2d(2, 0)).norm(), 1, 1e-5);
-      ++on_circle;
-    }
-  EXPECT_GT(on_circle, 60u);
 }
 
 TEST_F(ViewedSample, LegendTellsAreasAndColours)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
 #include "tool_error.h"
-#include "tools/reading_settings.h"
 #include "tools/sample_files.h"
 #include "viewed_sample.h"
 
@@ -64,24 +63,6 @@ TEST_F(ViewedSample, OfOneFileIsWhatItHolds)
   const auto text = folder_.path() / "scan.csv";
   std::ofstream(text) << "1,2,3\n4,5,6\n";
   EXPECT_EQ(readResult(text.string(), {}).bounds().max(), Eigen::Vector3d(4, 5, 6));
-}
-
-TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
-{
-  const std::string path = (folder_.path() / "scan.pcd").string();
-  constexpr std::size_t most = 700;
-  const DisplayCloud whole = displayCloudOf(ScanFile(path), most);
-  const DisplayCloud pieces = displayCloudOf(ScanFile(path, inPieces(100)), most);
-  EXPECT_LE(whole.size(), most);
-  EXPECT_GE(whole.size(), most / 2);
-  EXPECT_EQ(whole.points[0].x(), sample_.scan.points[0].x);
-  EXPECT_EQ(pieces.points, whole.points);
-  EXPECT_EQ(pieces.whole_size, sample_.scan.points.size());
-  const DisplayCloud thinned = thinnedCloudOf(ScanFile(path), 0.1, most);
-  EXPECT_EQ(thinned.points,
-            thinnedCloudOf(ScanFile(path, inPieces(100)), 0.1, most).points);
-  EXPECT_LE(thinned.size(), most);
-  EXPECT_GT(thinned.spacing, 0.1);
 }
 
 /** A point at 1e6 m would reduce the room to a dot. */

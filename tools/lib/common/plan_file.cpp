@@ -81,41 +81,36 @@ commonVolume(const PlanRoom& a, const PlanRoom& b)
 }
 
 /** @brief What of one kind contradicts itself in a plan. */
-class Contradictions {
-public:
-  Contradictions(std::string claim, std::string unit)
-      : claim_(std::move(claim))
-      , unit_(std::move(unit))
-  {}
+struct Contradictions {
+  const char* claim;
+  const char* unit;
+  std::string where{}; ///< the largest
+  std::size_t count = 0;
+  double total = 0;
+  double most = 0;
 
   void add(double size, const std::string& which)
   {
     constexpr double negligible = 0.1; // square or cubic metres
     if (size <= negligible)
       return;
-    ++count_;
-    total_ += size;
-    if (size > most_) {
-      most_ = size;
-      where_ = which;
+    ++count;
+    total += size;
+    if (size > most) {
+      most = size;
+      where = which;
     }
   }
 
   void tell() const
   {
-    const auto by = [&](double size) { return formatText(" by %.1f ", size) + unit_; };
-    if (count_ > 0)
-      warn(claim_ + by(total_) + " (places: " + std::to_string(count_) + "), most " +
-           where_ + by(most_) + ": areas and volumes are wrong by as much");
+    const auto by = [this](double size) {
+      return formatText(" by %.1f ", size) + unit;
+    };
+    if (count > 0)
+      warn(claim + by(total) + " (places: " + std::to_string(count) + "), most " +
+           where + by(most) + ": areas and volumes are wrong by as much");
   }
-
-private:
-  std::string claim_;
-  std::string unit_;
-  std::string where_; ///< the largest
-  std::size_t count_ = 0;
-  double total_ = 0;
-  double most_ = 0;
 };
 
 /** @brief Warns of outlines that cross themselves and of what is at one place: what is
@@ -123,9 +118,9 @@ private:
 void
 warnOfContradictions(const Floorplan& plan)
 {
-  Contradictions rooms("rooms overlap", "m3");
-  Contradictions columns("columns overlap", "m2");
-  Contradictions outside("columns reach out of their room", "m2");
+  Contradictions rooms{"rooms overlap", "m3"};
+  Contradictions columns{"columns overlap", "m2"};
+  Contradictions outside{"columns reach out of their room", "m2"};
   std::size_t crossed = 0;
   std::string outline; // the first of these
   const auto areaWithin = [](const PlanLoop& boundary) {

@@ -7,6 +7,14 @@
 
 namespace pcl::sedr::tools {
 
+/** @brief Returns whether a name, of a report that anybody may have written, is that of
+ * a file within the folder. */
+bool isWithin(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/** @brief Returns the sorted names of the files within a folder that the report.json in
+ * it lists as written by a run of pcl_sedr; none without such a report. */
+std::vector<std::string> writtenFiles(const std::filesystem::path& folder);
+
 /** @brief Folder within a folder of results in which a run writes the new ones. */
 constexpr const char* hidden_folder = ".pcl_sedr.part";
 

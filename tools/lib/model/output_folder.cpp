@@ -4,7 +4,6 @@
 #include "result_exchange.h"
 #include "run_tool.h"
 #include "tool_error.h"
-#include "written_files.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

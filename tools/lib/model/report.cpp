@@ -2,18 +2,23 @@
 #include "report.h"
 
 #include "plan_report.h"
-#include "report_settings.h"
-#include "wall_maps.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
+#include "sedr_segmentation/src/openings/opening_search.h"
 
+#include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_surface/coverage.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -101,13 +106,171 @@ noiseOf(const std::vector<WallNoise>& storeys)
   return all;
 }
 
+/** @brief Returns the names of files or folders, not where on the disk they are. */
+std::string
+namesOf(const std::vector<std::string>& paths)
+{
+  std::vector<std::string> names;
+  for (const auto& path : paths)
+    names.push_back((std::filesystem::absolute(path) / "")
+                        .lexically_normal()
+                        .parent_path()
+                        .filename());
+  return boost::join(names, ", ");
+}
+
+/** @brief Returns the scan, and non-default settings of reading it. */
+Json
+inputOf(const RunRecord& run)
+{
+  const ScanSettings& reading = run.reading;
+  Json input{{"path", namesOf(run.inputs)},
+             {"points", run.points},
+             {"unit", reading.unit}};
+  if (!reading.up.empty())
+    input["up"] = reading.up;
+  if (reading.scan > 0)
+    input["scan"] = reading.scan;
+  if (reading.skip_broken)
+    input["skip_broken"] = true;
+  if (!reading.columns.empty())
+    input["columns"] = reading.columns;
+  return input;
+}
+
+/** @brief Returns all parameters used, in the order of the stages. */
+Json
+parametersOf(const RunRecord& run, const Reconstruction& chain)
+{
+  const ChainStages& c = chain.getStages();
+  return {{"unit", run.reading.unit},
+          {"z_up", chain.getAssumptions().trust_up},
+          {"levelled", chain.getAssumptions().keep_levelled},
+          {"threads", chain.getNumberOfThreads()},
+          {"seed", chain.getSeed()},
+          {"voxel_size", chain.getVoxelSize()},
+          {"plane_tolerance", chain.getPlaneTolerance()},
+          {"maximum_tilt_degrees", pcl::rad2deg(c.plane_detection.getMaximumTilt())},
+          {"grid_size", chain.getGridSize()},
+          {"minimum_room_area", c.room_segmentation.getMinimumArea()},
+          {"headroom", c.room_segmentation.getHeadroom()},
+          {"minimum_enclosure", c.room_segmentation.getMinimumEnclosure()},
+          {"storey_step", c.room_segmentation.getStoreyStep()},
+          {"boundary_angle_degrees", pcl::rad2deg(chain.getBoundaryAngle())},
+          {"boundary_neighbors", chain.getBoundaryNeighbors()},
+          {"wall_distance", c.wall_growing.getDistanceThreshold()},
+          {"boundary_tolerance", chain.getBoundaryTolerance()},
+          {"refinement_distance", c.refinement.getMaximumDistance()},
+          {"repair_grid_size", c.hole_repair.getGridSize()},
+          {"chord_tolerance", c.extrusion.getChordTolerance()},
+          {"cut_openings", c.extrusion.getCutOpenings()},
+          {"tree_depth", c.poisson.getDepth()}};
+}
+
+/** @brief Returns the priors with their units, limits and sources. */
+Json
+priorsOf(const Reconstruction& chain)
+{
+  Json priors = Json::array();
+  for (const Prior& prior : priorTable())
+    priors.push_back({{"name", prior.name},
+                      {"value", chain.getPriors().*prior.member},
+                      {"unit", prior.unit},
+                      {"low", prior.low},
+                      {"high", prior.high},
+                      {"source", prior.source}});
+  return priors;
+}
+
+constexpr std::array<char, 7> letters{'n', 's', 'w', 't', 'h', 'e', 'e'}; // as WallCell
+
+/** @brief Returns the states in the middle of coarser cells, in runs, row by row from
+ * the top. */
+std::string
+runsOf(const WallMap& map, double cell, std::size_t columns, std::size_t rows)
+{
+  std::string text;
+  std::size_t length = 0;
+  char last = 0;
+  const auto end = [&] { text += length > 0 ? std::to_string(length) + last : ""; };
+  for (std::size_t r = rows; r-- > 0;)
+    for (std::size_t c = 0; c < columns; ++c) {
+      const WallCell state =
+          map.at(cell * (static_cast<double>(c) + 0.5),
+                 map.heightOf(0) + cell * (static_cast<double>(r) + 0.5));
+      const char letter = letters[static_cast<std::size_t>(state)];
+      if (letter != last)
+        end();
+      length = letter == last ? length + 1 : 1;
+      last = letter;
+    }
+  end();
+  return text;
+}
+
+/** @brief Returns what a scan shows of each wall: `room`, `walls` (of its boundary,
+ * from 1), `length`, `base` (z of the lowest cells), `cell` (metres), `columns`,
+ * `rows`, `cells` and the `openings` on it. The cells run row by row from the top, each
+ * run of equal ones as its number and a letter: s seen, w within the wall, h hidden, e
+ * nothing, n no room. Cells of all walls together are at most half a million, coarser
+ * for more.
+ */
 Json
 wallMapsOf(const Reconstruction& chain)
 {
+  const auto found = chain.getStages().opening_detection.getSearch();
+  Json maps = Json::array();
+  if (!found)
+    return maps;
   const StructureModel& model = chain.getModel();
-  const auto search = chain.getStages().opening_detection.getSearch();
-  return search ? wallMaps(*model.plan, *search, model.levelFrame().to(model.frame))
-                : Json::array();
+  const OpeningSearch& search = *found;
+  const Floorplan& plan = *model.plan;
+  const BuildingFrame to_maps = model.levelFrame().to(model.frame);
+  const auto onSide = [&](const WallSide& side, const Eigen::Vector2d& p) {
+    return side.line.project(to_maps.toBuilding({p.x(), p.y(), 0}).head<2>());
+  };
+  constexpr double finest = 0.1; // metres
+  constexpr double most = 5e5;   // cells
+  double area = 0;
+  for (const WallMap& map : search.maps)
+    area += map.cell() * map.cell() * static_cast<double>(map.columns() * map.rows());
+  const double cell = std::max(finest, std::sqrt(area / most));
+  for (std::size_t k = 0; k < search.maps.size(); ++k) {
+    const WallSide& side = search.sides[k];
+    const WallMap& map = search.maps[k];
+    const double size = std::max(cell, map.cell());
+    const auto partsOf = [size](double length) {
+      return static_cast<std::size_t>(std::ceil(length / size));
+    };
+    const std::size_t columns = partsOf(side.line.length());
+    const std::size_t rows = partsOf(map.cell() * static_cast<double>(map.rows()));
+    std::vector<std::size_t> walls = side.elements;
+    for (std::size_t& wall : walls)
+      ++wall;
+    Json openings = Json::array(); // framed on this side or on the other one
+    for (const PlanOpening& opening : plan.openings)
+      for (const OpeningWall& in : opening.walls)
+        if (in.room == plan.rooms[side.room].id &&
+            std::count(side.elements.begin(), side.elements.end(), in.element) > 0) {
+          const auto [from, to] =
+              std::minmax({onSide(side, opening.start), onSide(side, opening.end)});
+          openings.push_back({{"kind", nameOf(opening.kind)},
+                              {"from", from},
+                              {"to", to},
+                              {"bottom", opening.bottom},
+                              {"top", opening.top}});
+        }
+    maps.push_back({{"room", plan.rooms[side.room].id},
+                    {"walls", walls},
+                    {"length", side.line.length()},
+                    {"base", map.heightOf(0) + to_maps.origin.z()},
+                    {"cell", size},
+                    {"columns", columns},
+                    {"rows", rows},
+                    {"cells", runsOf(map, size, columns, rows)},
+                    {"openings", openings}});
+  }
+  return maps;
 }
 
 Json

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "page_scan.h"
+#include "page_parts.h"
 
 #include "results/display_cloud.h"
 #include "results/plan_rules.h"

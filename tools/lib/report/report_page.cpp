@@ -4,9 +4,7 @@
 #include "bytes/whole_file.h"
 #include "colour.h"
 #include "plan_file.h"
-#include "report/page_files.h"
-#include "report/page_models.h"
-#include "report/page_scan.h"
+#include "report/page_parts.h"
 #include "results/result_folder.h"
 #include "run_tool.h"
 

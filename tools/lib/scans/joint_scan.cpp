@@ -3,9 +3,9 @@
 
 #include "bytes/input_file.h"
 #include "bytes/whole_file.h"
+#include "result_exchange.h"
 #include "run_tool.h"
 #include "tool_error.h"
-#include "written_files.h"
 
 #include <pcl/common/io.h>
 #include <pcl/point_types.h>

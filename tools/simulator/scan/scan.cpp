@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan.h"
 
-#include "ray_caster.h"
-
 #include "sedr_filters/src/base/parallel.h"
+
+#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr::sim {
 
@@ -15,6 +19,117 @@ namespace {
 
 constexpr double kStart = 1e-4; ///< metres skipped behind a pane that is passed
 constexpr int kMaxPanes = 16;   ///< maximum number of panes along a ray
+
+/** @brief Difference of both distances, metres, beyond which a ray grazes its triangle
+ * so much that its plane says nothing. */
+constexpr double kGrazing = 1e-3;
+
+/** @brief A half line; @p direction has unit length. */
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+
+  /** @brief Returns the point at distance @p t. */
+  Vec3 at(double t) const { return origin + t * direction; }
+};
+
+/** @brief The nearest triangle along a ray. */
+struct Hit {
+  double distance = 0.0;
+  std::size_t triangle = 0; ///< of the scene's mesh
+};
+
+/** @brief Casts rays at a scene's mesh with Embree; gaps let them pass.
+ *
+ * Embree finds the triangle in single precision. The distance is computed in double
+ * precision from the triangle's plane. Threads may share a caster; the same ray gives
+ * the same hit in every run. */
+class RayCaster {
+public:
+  /** @throw std::runtime_error if Embree fails */
+  explicit RayCaster(const SceneMesh& scene)
+      : scene_(scene)
+  {
+    // One thread builds a tree that is the same in every run; the scene keeps the
+    // device.
+    const std::shared_ptr<RTCDeviceTy> device(rtcNewDevice("threads=1"),
+                                              rtcReleaseDevice);
+    if (!device)
+      throw std::runtime_error("Embree cannot be started");
+    embree_.reset(rtcNewScene(device.get()), rtcReleaseScene);
+    rtcSetSceneFlags(embree_.get(),
+                     RTC_SCENE_FLAG_ROBUST); // no ray passes between faces
+    const TriangleMesh& mesh = scene.mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (scene.surfaces[t] != Surface::Gap)
+        triangles_.push_back(t);
+    origin_ = triangles_.empty() ? Vec3(Vec3::Zero()) : mesh.bounds().center();
+    const RTCGeometry geometry =
+        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    const auto buffer = [&](RTCBufferType type, RTCFormat format, std::size_t count) {
+      return rtcSetNewGeometryBuffer(geometry, type, 0, format, 12, count);
+    };
+    if (!triangles_.empty()) {
+      auto* place = static_cast<float*>(
+          buffer(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices.size()));
+      for (const Vec3& vertex : mesh.vertices)
+        for (int axis = 0; axis < 3; ++axis)
+          *place++ = static_cast<float>(vertex[axis] - origin_[axis]);
+      auto* corner = static_cast<std::uint32_t*>(
+          buffer(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, triangles_.size()));
+      for (const std::size_t t : triangles_)
+        for (const std::uint32_t vertex : mesh.triangles[t])
+          *corner++ = vertex;
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(embree_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(embree_.get());
+    if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
+      throw std::runtime_error("Embree cannot hold the scene");
+  }
+
+  /** @brief Returns the first hit beyond @p from and at most @p to metres away. */
+  std::optional<Hit> nearest(const Ray& ray, double from, double to) const
+  {
+    const Vec3 start = ray.origin - origin_;
+    RTCRayHit query{};
+    query.ray.org_x = static_cast<float>(start.x());
+    query.ray.org_y = static_cast<float>(start.y());
+    query.ray.org_z = static_cast<float>(start.z());
+    query.ray.dir_x = static_cast<float>(ray.direction.x());
+    query.ray.dir_y = static_cast<float>(ray.direction.y());
+    query.ray.dir_z = static_cast<float>(ray.direction.z());
+    query.ray.tnear = static_cast<float>(from);
+    query.ray.tfar = static_cast<float>(to);
+    query.ray.mask = ~0U;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(embree_.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+      return std::nullopt;
+    Hit hit{static_cast<double>(query.ray.tfar), triangles_[query.hit.primID]};
+    const Vec3 normal = normalOf(hit.triangle);
+    const double exact = normal.dot(scene_.mesh.corner(hit.triangle, 0) - ray.origin) /
+                         normal.dot(ray.direction);
+    if (std::abs(exact - hit.distance) < kGrazing)
+      hit.distance = exact;
+    return hit;
+  }
+
+  /** @brief Returns the unit normal of a triangle. */
+  Vec3 normalOf(std::size_t triangle) const
+  {
+    return scene_.mesh.scaledNormal(triangle).normalized();
+  }
+
+private:
+  const SceneMesh& scene_;
+  Vec3 origin_; ///< of Embree's coordinates, which have single precision
+  std::vector<std::size_t> triangles_; ///< of the scene, as Embree numbers them
+  std::shared_ptr<RTCSceneTy> embree_;
+};
 
 /** @brief Scrambles 64 bits (the finalizer of splitmix64). */
 std::uint64_t

@@ -9,14 +9,6 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Reads a loop: a list of corners, a rectangle, or a circle.
- *
- * A corner is [x, y]. Where an arc starts, it is {"at": [x, y], "radius": r} or {"at":
- * [x, y], "bulge": b}. A positive radius turns left, and the arc is less than half a
- * circle; a bulge is that of elementBetween(). {"rectangle": [[x, y], [x, y]]} gives
- * two opposite corners, {"circle": [x, y], "radius": r} centre and radius. */
-Loop readLoop(const JsonView& view);
-
 /** @brief Reads a list of objects; the only key of each is its kind.
  *
  * @param list elements such as {"table": {"at": [x, y], "size": [w, d, h]}}; the kinds

@@ -5,6 +5,7 @@
 #include "ranks.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/structural_poisson.h>
 
 namespace pcl::sedr::tools {
 
@@ -17,5 +18,8 @@ ThinnedScan thinTogether(const Ranks& ranks,
                          const JointScan& scan,
                          const ParallelVoxelGrid<pcl::PointXYZ>& grid,
                          const FindFrame& find_frame);
+
+/** @brief Deals the rooms out by number, and gathers their surfaces at rank 0. */
+RoomSharing sharedRooms(const Ranks& ranks);
 
 } // namespace pcl::sedr::tools
