@@ -5,8 +5,7 @@
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
-#include "structure_model.h"
-#include "unexplained_surfaces.h"
+#include "seen_surfaces.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/plan_measures.h>

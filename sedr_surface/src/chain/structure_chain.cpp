@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/structure_chain.h>
-
 #include "../mesh/mesh_repair.h"
 #include "chain_stages.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/scan/missing_surfaces.h"
 #include "sedr_segmentation/src/scan/scan_up.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
-#include "structure_model.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <chrono>
 #include <cmath>
 #include <numeric>
 
 namespace pcl::sedr {
-
 namespace {
 
 /** @brief Returns the centre of the bounding box of the finite points. */
@@ -266,3 +266,5 @@ StructureChain::meshInScanFrame() const
 }
 
 } // namespace pcl::sedr
+
+PCL_INSTANTIATE(IndoorStructureReconstruction, SEDR_POINT_TYPES)

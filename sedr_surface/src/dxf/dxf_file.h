@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../walls/plan_area.h"
+#include "../walls/wall_band.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/floorplan.h>

@@ -2,10 +2,10 @@
 #include "wall_body.h"
 
 #include "../walls/wall_band.h"
-#include "ifc_shapes.h"
 #include "level_slab.h"
+#include "step_file.h"
 
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <utility>

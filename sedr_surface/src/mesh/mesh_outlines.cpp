@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_outlines.h"
 
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_segmentation/src/curves/contour.h"
 
 #include <algorithm>

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include "sedr_filters/src/grids/disjoint_sets.h"
+
+#include <algorithm>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 using Attribute = std::vector<std::uint32_t>;
@@ -130,6 +135,228 @@ TriangleMesh::problem() const
            std::to_string(labels.size()) + " labels, " + std::to_string(rooms.size()) +
            " rooms and " + std::to_string(elements.size()) + " elements";
   return {};
+}
+
+namespace {
+
+/** @brief One side of a triangle, indexed by its edge. */
+struct EdgeUse {
+  std::uint32_t low = 0;      ///< vertex of the edge with the lower index
+  std::uint32_t high = 0;     ///< the other one
+  std::uint32_t triangle = 0; ///< the triangle
+  std::uint8_t side = 0;      ///< from corner `side` to the next
+  bool forward = false;       ///< the triangle runs from low to high
+};
+
+/** @brief Returns the sides of all triangles, sorted by edge, then by triangle. Sides
+ * between a vertex and itself are omitted. O(n log n). */
+std::vector<EdgeUse>
+collectEdges(const std::vector<Triangle>& triangles)
+{
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint8_t side = 0; side < 3; ++side) {
+      const std::uint32_t from = triangles[t][side];
+      const std::uint32_t to = triangles[t][(side + 1u) % 3u];
+      if (from != to)
+        uses.push_back({std::min(from, to), std::max(from, to), t, side, from < to});
+    }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle, a.side) <
+           std::tie(b.low, b.high, b.triangle, b.side);
+  });
+  return uses;
+}
+
+/** @brief Calls `visit(first, last)` with the range of uses of every edge, in order. */
+template <typename Visit>
+void
+forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
+{
+  for (auto first = uses.begin(); first != uses.end();) {
+    auto last = first + 1;
+    while (last != uses.end() && last->low == first->low && last->high == first->high)
+      ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+/** @brief Returns the corner of `use.triangle` at the lower vertex of the edge: 3 *
+ * triangle + corner. */
+std::uint32_t
+lowCorner(const EdgeUse& use)
+{
+  return 3 * use.triangle + (use.forward ? use.side : (use.side + 1u) % 3u);
+}
+
+/** @brief As above, for the higher vertex. */
+std::uint32_t
+highCorner(const EdgeUse& use)
+{
+  return 3 * use.triangle + (use.forward ? (use.side + 1u) % 3u : use.side);
+}
+
+bool
+usesVertexTwice(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+void
+countVertices(const TriangleMesh& mesh, MeshTopology& topology)
+{
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const auto v : triangle)
+      used[v] = true;
+  topology.vertices =
+      static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
+void
+countTriangles(const TriangleMesh& mesh, MeshTopology& topology)
+{
+  topology.triangles = mesh.triangles.size();
+  std::vector<Triangle> sorted;
+  sorted.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (usesVertexTwice(mesh.triangles[t])) {
+      ++topology.degenerate_triangles;
+      continue;
+    }
+    sorted.push_back(mesh.triangles[t]);
+    std::sort(sorted.back().begin(), sorted.back().end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i] == sorted[i - 1])
+      ++topology.duplicate_triangles;
+}
+
+void
+countEdges(const std::vector<EdgeUse>& uses, MeshTopology& topology)
+{
+  forEachEdge(uses, [&topology](auto first, auto last) {
+    ++topology.edges;
+    const auto count = last - first;
+    if (count == 1)
+      ++topology.boundary_edges;
+    else if (count > 2)
+      ++topology.non_manifold_edges;
+    else if (first->forward == (first + 1)->forward)
+      ++topology.inconsistent_edges;
+  });
+}
+
+// Counts fans: sets of corners at a vertex that are joined across edges.
+void
+countFans(const TriangleMesh& mesh,
+          const std::vector<EdgeUse>& uses,
+          MeshTopology& topology)
+{
+  DisjointSets<> corners(3 * mesh.triangles.size());
+  forEachEdge(uses, [&corners](auto first, auto last) {
+    for (auto use = first + 1; use != last; ++use) {
+      corners.join(lowCorner(*first), lowCorner(*use));
+      corners.join(highCorner(*first), highCorner(*use));
+    }
+  });
+  std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
+  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c)
+    if (corners.find(c) == c && ++fans[mesh.triangles[c / 3][c % 3]] == 2)
+      ++topology.non_manifold_vertices;
+}
+
+std::vector<std::uint32_t>
+labelComponents(const TriangleMesh& mesh, const std::vector<EdgeUse>& uses)
+{
+  DisjointSets<> sets(mesh.triangles.size());
+  forEachEdge(uses, [&sets](auto first, auto last) {
+    for (auto use = first + 1; use != last; ++use)
+      sets.join(first->triangle, use->triangle);
+  });
+  std::vector<std::uint32_t> component(mesh.triangles.size());
+  std::uint32_t count = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t root = sets.find(t); // the lowest, so it already has its number
+    component[t] = root == t ? count++ : component[root];
+  }
+  return component;
+}
+
+void
+measureComponents(const TriangleMesh& mesh,
+                  const std::vector<EdgeUse>& uses,
+                  MeshTopology& topology)
+{
+  const auto component = labelComponents(mesh, uses);
+  std::vector<Eigen::Vector3d> origins; // of the components
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (component[t] == origins.size()) {
+      origins.push_back(mesh.corner(t, 0));
+      topology.components.push_back({0, 0, 0, true});
+    }
+    MeshComponent& c = topology.components[component[t]];
+    const Eigen::Vector3d normal = mesh.scaledNormal(t);
+    ++c.triangles;
+    c.area += normal.norm() / 2;
+    c.signed_volume += (mesh.corner(t, 0) - origins[component[t]]).dot(normal) / 6;
+  }
+  forEachEdge(uses, [&](auto first, auto last) {
+    if (last - first == 1)
+      topology.components[component[first->triangle]].closed = false;
+  });
+}
+
+} // namespace
+
+std::string
+MeshTopology::problem() const
+{
+  if (triangles == 0)
+    return "no triangles";
+  const std::pair<std::size_t, const char*> counts[] = {
+      {boundary_edges, "boundary edge"},
+      {non_manifold_edges, "non-manifold edge"},
+      {inconsistent_edges, "inconsistently oriented edge"},
+      {degenerate_triangles, "degenerate triangle"},
+      {duplicate_triangles, "duplicate triangle"}};
+  std::string text;
+  const auto add = [&text](std::size_t count, const std::string& name) {
+    if (count > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  };
+  for (const auto& count : counts)
+    add(count.first, count.second + std::string(count.first == 1 ? "" : "s"));
+  add(non_manifold_vertices,
+      non_manifold_vertices == 1 ? "non-manifold vertex" : "non-manifold vertices");
+  return text;
+}
+
+MeshTopology
+checkTopology(const TriangleMesh& mesh)
+{
+  MeshTopology topology;
+  countVertices(mesh, topology);
+  countTriangles(mesh, topology);
+  const std::vector<EdgeUse> uses = collectEdges(mesh.triangles);
+  countEdges(uses, topology);
+  countFans(mesh, uses, topology);
+  measureComponents(mesh, uses, topology);
+  topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
+                                  static_cast<std::int64_t>(topology.edges) +
+                                  static_cast<std::int64_t>(topology.triangles);
+  std::stable_sort(topology.components.begin(), topology.components.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  return topology;
+}
+
+std::vector<std::uint32_t>
+labelComponents(const TriangleMesh& mesh)
+{
+  return labelComponents(mesh, collectEdges(mesh.triangles));
 }
 
 } // namespace pcl::sedr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_cells.h"
+#include "plan_subdivision.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>

@@ -12,9 +12,9 @@
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <pcl/point_cloud.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 #include <pcl/sedr_filters/impl/stage_filter.hpp>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
-#include <pcl/sedr_filters/stage_error.h>
 
 #include <gtest/gtest.h>
 

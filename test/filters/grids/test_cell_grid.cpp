@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/grids/cell_set.h"
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "rows_in_pieces.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_distance.h>
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,8 @@
 #include "plan_loops.h"
 #include "sedr_surface/src/schedule/room_row.h"
 
-#include <pcl/sedr_surface/schedules.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <gtest/gtest.h>
 

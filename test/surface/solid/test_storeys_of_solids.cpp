@@ -7,8 +7,8 @@
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
-#include <pcl/sedr_surface/mesh_topology.h>
 #include <pcl/sedr_surface/structural_poisson.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "model/plan_report.h"
 
-#include "sedr_filters/src/editing/room_references.h"
+#include "sedr_filters/src/editing/plan_edits.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "sedr_filters/src/json/floorplan_format.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/coverage.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <nlohmann/json.hpp>
 

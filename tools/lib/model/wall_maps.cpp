@@ -3,6 +3,8 @@
 
 #include "sedr_segmentation/src/openings/opening_search.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
