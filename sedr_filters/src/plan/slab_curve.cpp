@@ -153,115 +153,59 @@ moved(SlabCurve curve, double angle, const Eigen::Vector3d& shift)
   return curve;
 }
 
-namespace {
-
-/** @brief A rotation about z, then a shift. */
-class PlanMotion {
-public:
-  PlanMotion(double angle, const Eigen::Vector3d& shift)
-      : angle_(angle)
-      , turn_(angle)
-      , shift_(shift)
-  {}
-
-  void move(Eigen::Vector2d& place) const { place = turn_ * place + shift_.head<2>(); }
-
-  void move(double& height) const { height += shift_.z(); }
-
-  void move(PlanLoop& loop) const
-  {
-    for (PlanElement& element : loop.elements)
-      for (Eigen::Vector2d* place : {&element.start, &element.end, &element.centre})
-        move(*place);
-  }
-
-  void move(PlanSlab& slab) const
-  {
-    slab.plane.head<2>() = turn_ * Eigen::Vector2d(slab.plane.head<2>());
-    slab.plane[3] -= slab.plane.head<3>().dot(shift_);
-    if (slab.curve)
-      slab.curve =
-          std::make_shared<const SlabCurve>(moved(*slab.curve, angle_, shift_));
-  }
-
-  void move(PlanDetail& detail) const
-  {
-    move(detail.boundary);
-    moveAll(detail.holes);
-    move(detail.slab);
-  }
-
-  void move(PlanNiche& niche) const
-  {
-    move(niche.boundary);
-    move(niche.bottom);
-    move(niche.top);
-  }
-
-  void move(PlanRoom& room) const
-  {
-    move(room.boundary);
-    moveAll(room.columns);
-    move(room.floor);
-    move(room.ceiling);
-    moveAll(room.details);
-    moveAll(room.floor_details);
-    moveAll(room.niches);
-  }
-
-  void move(PlanStorey& storey) const
-  {
-    move(storey.floor);
-    move(storey.ceiling);
-  }
-
-  void move(PlanOpening& opening) const
-  {
-    move(opening.start);
-    move(opening.end);
-    move(opening.bottom);
-    move(opening.top);
-  }
-
-  void move(PlanFlight& flight) const
-  {
-    for (PlanFlight::Riser& riser : flight.risers)
-      for (Eigen::Vector2d& end : riser)
-        move(end);
-    move(flight.bottom);
-  }
-
-  void move(PlanStair& stair) const
-  {
-    move(stair.at);
-    move(stair.bottom);
-    move(stair.top);
-    moveAll(stair.flights);
-  }
-
-  template <typename Part>
-  void moveAll(std::vector<Part>& parts) const
-  {
-    for (Part& part : parts)
-      move(part);
-  }
-
-private:
-  double angle_;
-  Eigen::Rotation2Dd turn_;
-  Eigen::Vector3d shift_;
-};
-
-} // namespace
-
 Floorplan
 moved(Floorplan plan, double angle, const Eigen::Vector3d& shift)
 {
-  const PlanMotion motion(angle, shift);
-  motion.moveAll(plan.rooms);
-  motion.moveAll(plan.storeys);
-  motion.moveAll(plan.stairs);
-  motion.moveAll(plan.openings);
+  const Eigen::Rotation2Dd turn(angle);
+  const auto move = [&](Eigen::Vector2d& p) { p = turn * p + shift.head<2>(); };
+  const auto lift = [&](auto&... heights) { ((heights += shift.z()), ...); };
+  const auto moveLoop = [&](PlanLoop& loop) {
+    for (PlanElement& element : loop.elements)
+      for (Eigen::Vector2d* p : {&element.start, &element.end, &element.centre})
+        move(*p);
+  };
+  const auto moveLoops = [&](std::vector<PlanLoop>& loops) {
+    std::for_each(loops.begin(), loops.end(), moveLoop);
+  };
+  const auto moveSlab = [&](PlanSlab& slab) {
+    slab.plane.head<2>() = turn * Eigen::Vector2d(slab.plane.head<2>());
+    slab.plane[3] -= slab.plane.head<3>().dot(shift);
+    if (slab.curve)
+      slab.curve = std::make_shared<const SlabCurve>(moved(*slab.curve, angle, shift));
+  };
+  for (PlanRoom& room : plan.rooms) {
+    moveLoop(room.boundary);
+    moveLoops(room.columns);
+    moveSlab(room.floor);
+    moveSlab(room.ceiling);
+    for (auto* const details : {&room.details, &room.floor_details})
+      for (PlanDetail& detail : *details) {
+        moveLoop(detail.boundary);
+        moveLoops(detail.holes);
+        moveSlab(detail.slab);
+      }
+    for (PlanNiche& niche : room.niches) {
+      moveLoop(niche.boundary);
+      moveSlab(niche.bottom);
+      moveSlab(niche.top);
+    }
+  }
+  for (PlanStorey& storey : plan.storeys)
+    lift(storey.floor, storey.ceiling);
+  for (PlanOpening& opening : plan.openings) {
+    move(opening.start);
+    move(opening.end);
+    lift(opening.bottom, opening.top);
+  }
+  for (PlanStair& stair : plan.stairs) {
+    move(stair.at);
+    lift(stair.bottom, stair.top);
+    for (PlanFlight& flight : stair.flights) {
+      lift(flight.bottom);
+      for (PlanFlight::Riser& riser : flight.risers)
+        std::for_each(riser.begin(), riser.end(), move);
+    }
+  }
   return plan;
 }
 

@@ -106,7 +106,8 @@ void setCells(ChainStages& stages, double size);
  * growing allows by the difference; repaired points keep their density. */
 void enlargeCells(ChainStages& stages, double size);
 
-/** @brief What the stages of a run leave each other. */
+/** @brief A run of the stages, and what they leave each other. Each stage returns why
+ * it failed, a sentence, or an empty text. */
 struct ChainRun {
   ChainStages& stages;
   StructureModel& model;
@@ -115,24 +116,23 @@ struct ChainRun {
   std::vector<PointOwner> owners{}; ///< of the points
   std::vector<StructureModel::StructureCloud::Ptr>
       refined{}; ///< until repaired, by room
+
+  std::string partRooms(StageReport& report);
+
+  /** @brief Finds planes, cells, floors and owners of the rooms. The cells are enlarged
+   * if the scan is sparse. */
+  std::string findPlanes(StageReport& report);
+  std::string findWalls(StageReport& report);
+  std::string fitPlan(StageReport& report);
+  std::string findOpenings(StageReport& report);
+
+  /** @brief Moves the labelled points of each room of the plan onto it. */
+  std::string refine(StageReport& report);
+
+  /** @brief Fills the holes of the refined points. */
+  std::string repair(StageReport& report);
+  std::string extrude(StageReport& report);
+  std::string makeMesh(StageReport& report);
 };
-
-// Each stage returns why it failed, a sentence, or an empty text.
-std::string partRooms(ChainRun& run, StageReport& report);
-
-/** @brief Finds planes, cells, floors and owners of the rooms. The cells are enlarged
- * if the scan is sparse. */
-std::string findPlanes(ChainRun& run, StageReport& report);
-std::string findWalls(ChainRun& run, StageReport& report);
-std::string fitPlan(ChainRun& run, StageReport& report);
-std::string findOpenings(ChainRun& run, StageReport& report);
-
-/** @brief Moves the labelled points of each room of the plan onto it. */
-std::string refine(ChainRun& run, StageReport& report);
-
-/** @brief Fills the holes of the refined points. */
-std::string repair(ChainRun& run, StageReport& report);
-std::string extrude(ChainRun& run, StageReport& report);
-std::string makeMesh(ChainRun& run, StageReport& report);
 
 } // namespace pcl::sedr

@@ -230,22 +230,23 @@ StructureChain::runStages()
   ChainRun run{stages_, model_, seems_in_feet_ && !known_.unit_is_known};
   const auto runOn = [&](const char* name, std::size_t points_in, auto stage) {
     return runStage(name, points_in,
-                    [&](StageReport& report) { return stage(run, report); });
+                    [&](StageReport& report) { return (run.*stage)(report); });
   };
   const std::size_t n = model_.cloud->size();
   const bool is_found =
-      runOn("RoomSegmentation", n, partRooms) &&
-      runOn("HorizontalPlaneDetection", n, findPlanes) &&
-      runOn("CeilingBoundaryWallGrowing", n, findWalls) &&
-      runOn("FloorplanFitting", n, fitPlan) && checkUnit() &&
-      runOn("OpeningDetection", n, findOpenings) &&
-      runOn("StructureRefinement", n, refine) &&
-      runOn("VerticalHoleRepair", model_.reports.back().points_out, repair);
+      runOn("RoomSegmentation", n, &ChainRun::partRooms) &&
+      runOn("HorizontalPlaneDetection", n, &ChainRun::findPlanes) &&
+      runOn("CeilingBoundaryWallGrowing", n, &ChainRun::findWalls) &&
+      runOn("FloorplanFitting", n, &ChainRun::fitPlan) && checkUnit() &&
+      runOn("OpeningDetection", n, &ChainRun::findOpenings) &&
+      runOn("StructureRefinement", n, &ChainRun::refine) &&
+      runOn("VerticalHoleRepair", model_.reports.back().points_out, &ChainRun::repair);
   if (getGridSize() > size)
     enlarged_from_ = size;
   model_.coverage = coverageOf(stages_.room_segmentation.getBuilding(), *model_.plan);
   moveBack(model_);
-  return is_found && runOn("FloorplanExtrusion", model_.structure->size(), extrude);
+  return is_found &&
+         runOn("FloorplanExtrusion", model_.structure->size(), &ChainRun::extrude);
 }
 
 bool
@@ -253,7 +254,7 @@ StructureChain::makeMesh()
 {
   ChainRun run{stages_, model_};
   return runStage("StructuralPoisson", model_.structure->size(),
-                  [&](StageReport& report) { return sedr::makeMesh(run, report); });
+                  [&](StageReport& report) { return run.makeMesh(report); });
 }
 
 TriangleMesh

@@ -102,83 +102,61 @@ mainDirection(const Floorplan& plan)
   return do_agree && std::abs(best) > min_turn ? best : 0;
 }
 
-/** @brief Finds the scale and the paper of a plan. */
-class LayoutFinder {
-public:
-  /** @param bounds of what is drawn, turned, metres
-   * @param space around it, of dimensions: see spaceOf() */
-  LayoutFinder(double turn,
-               const Eigen::AlignedBox2d& bounds,
-               const Eigen::AlignedBox2d& space,
-               const DrawingSettings& settings)
-      : settings_(settings)
-      , bounds_(bounds)
-      , space_(space)
-  {
-    layout_.frame.turn = turn;
-    if (bounds_.isEmpty() || !bounds_.sizes().allFinite())
-      bounds_ = Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
-  }
-
-  SheetLayout find()
-  {
-    constexpr std::size_t scales = 50;
-    const auto first = static_cast<std::size_t>(settings_.paper);
-    for (std::size_t k = 0; settings_.scale <= 0 && k < scales; ++k) {
-      setScale(usualScale(k));
-      if (takePaper(papers[first]))
-        return layout_;
-    }
-    if (settings_.scale > 0)
-      setScale(settings_.scale);
-    for (std::size_t p = first; p < papers.size(); ++p)
-      if (takePaper(papers[p]))
-        return layout_;
-    place(needed());
-    return layout_;
-  }
-
-private:
-  void setScale(double scale)
-  {
-    layout_.scale = scale;
-    layout_.frame.scale = 1000 / scale;
-  }
-
-  Eigen::Vector2d needed() const
-  {
-    return bounds_.sizes() * 1000 / layout_.scale + space_.min() + space_.max() +
+/** @brief Finds the scale and the paper of a plan.
+ * @param bounds of what is drawn, turned, metres
+ * @param space around it, of dimensions: see spaceOf() */
+SheetLayout
+layoutOf(double turn,
+         Eigen::AlignedBox2d bounds,
+         const Eigen::AlignedBox2d& space,
+         const DrawingSettings& settings)
+{
+  constexpr std::size_t scales = 50;
+  if (bounds.isEmpty() || !bounds.sizes().allFinite())
+    bounds = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  SheetLayout layout;
+  layout.frame.turn = turn;
+  const auto setScale = [&](double scale) {
+    layout.scale = scale;
+    layout.frame.scale = 1000 / scale;
+  };
+  const auto needed = [&]() -> Eigen::Vector2d {
+    return bounds.sizes() * 1000 / layout.scale + space.min() + space.max() +
            Eigen::Vector2d(margin_left + margin, 2 * margin + title_height);
-  }
-
-  /** @brief Chooses the first orientation of a paper that the plan fits on. */
-  bool takePaper(const Paper& paper)
-  {
+  };
+  // Centres the plan with its dimensions in what the title leaves.
+  const auto place = [&](const Eigen::Vector2d& size) {
+    layout.size = size;
+    layout.frame.shift = drawingSpaceOf(layout).center() +
+                         (space.min() - space.max()) / 2 -
+                         layout.frame.scale * bounds.center();
+  };
+  // Chooses the first orientation of a paper that the plan fits on.
+  const auto takePaper = [&](const Paper& paper) {
     constexpr double hair = 1e-6;
     for (const Eigen::Vector2d& size : {Eigen::Vector2d(paper.across, paper.up),
                                         Eigen::Vector2d(paper.up, paper.across)})
       if ((needed().array() <= size.array() + hair).all()) {
-        layout_.paper = paper.name;
+        layout.paper = paper.name;
         place(size);
         return true;
       }
     return false;
+  };
+  const auto first = static_cast<std::size_t>(settings.paper);
+  for (std::size_t k = 0; settings.scale <= 0 && k < scales; ++k) {
+    setScale(usualScale(k));
+    if (takePaper(papers[first]))
+      return layout;
   }
-
-  /** @brief Centres the plan with its dimensions in what the title leaves. */
-  void place(const Eigen::Vector2d& size)
-  {
-    layout_.size = size;
-    layout_.frame.shift = drawingSpaceOf(layout_).center() +
-                          (space_.min() - space_.max()) / 2 -
-                          layout_.frame.scale * bounds_.center();
-  }
-
-  const DrawingSettings& settings_;
-  Eigen::AlignedBox2d bounds_;
-  Eigen::AlignedBox2d space_;
-  SheetLayout layout_;
-};
+  if (settings.scale > 0)
+    setScale(settings.scale);
+  for (std::size_t p = first; p < papers.size(); ++p)
+    if (takePaper(papers[p]))
+      return layout;
+  place(needed());
+  return layout;
+}
 
 } // namespace
 
@@ -243,7 +221,7 @@ layoutOf(const Floorplan& plan, const DrawingSettings& settings)
   }
   const Eigen::AlignedBox2d bounds =
       boundsOf(plan, findWalls(plan, {settings.max_wall}), frame);
-  return LayoutFinder(frame.turn, bounds, space, settings).find();
+  return layoutOf(frame.turn, bounds, space, settings);
 }
 
 SheetLayout
@@ -251,7 +229,7 @@ layoutOf(const Eigen::AlignedBox2d& bounds,
          const Eigen::AlignedBox2d& space,
          const DrawingSettings& settings)
 {
-  return LayoutFinder(0, bounds, space, settings).find();
+  return layoutOf(0, bounds, space, settings);
 }
 
 namespace {

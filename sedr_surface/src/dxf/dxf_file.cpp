@@ -17,8 +17,8 @@ DxfBlock::viewport(const char* layer, const View& view, int number)
   for (const int code : {13, 14, 15}) // snap and grid
     entities_.group(code, code == 13 ? 0.0 : 10.0)
         .group(code + 10, code == 13 ? 0.0 : 10.0);
-  entities_.group(16, 0.0).group(26, 0.0).group(36, 1.0).place({0, 0}, 17);
-  entities_.group(42, 50.0).group(43, 0.0).group(44, 0.0).group(45, view.height);
+  entities_.zeros({16, 26}).group(36, 1.0).place({0, 0}, 17);
+  entities_.group(42, 50.0).zeros({43, 44}).group(45, view.height);
   entities_.group(50, 0.0).group(51, view.degrees).group(72, 100).group(90, always);
 }
 
@@ -62,11 +62,8 @@ DxfFile::layout(const std::string& handle,
   text.group(0, "LAYOUT").group(5, handle).group(330, owner);
   text.group(100, "AcDbPlotSettings").group(1, "").group(2, "none_device");
   text.group(4, is_paper ? paper_name_ : "").group(6, "");
-  for (const int code : {40, 41, 42, 43}) // margins
-    text.group(code, 0.0);
-  text.group(44, size.x()).group(45, size.y());
-  for (const int code : {46, 47, 48, 49, 140, 141}) // what is plotted
-    text.group(code, 0.0);
+  text.zeros({40, 41, 42, 43}).group(44, size.x()).group(45, size.y()); // margins
+  text.zeros({46, 47, 48, 49, 140, 141}); // all is plotted
   text.group(142, 1.0).group(143, 1.0).group(70, is_paper ? usual : usual + of_model);
   text.group(72, millimetres).group(73, 0).group(74, whole_layout).group(7, "");
   text.group(75, one_to_one).group(147, 1.0).group(148, 0.0).group(149, 0.0);
@@ -108,15 +105,12 @@ section(const char* name, const DxfText& content)
 DxfText
 header(const Eigen::AlignedBox2d& bounds, const std::string& next_handle)
 {
-  constexpr int metres = 6;
-  constexpr int metric = 1;
-  constexpr int decimal = 2;
   DxfText dxf;
   dxf.group(9, "$ACADVER").group(1, "AC1027");
   dxf.group(9, "$HANDSEED").group(5, next_handle);
-  dxf.group(9, "$INSUNITS").group(70, metres);
-  dxf.group(9, "$MEASUREMENT").group(70, metric);
-  dxf.group(9, "$LUNITS").group(70, decimal);
+  dxf.group(9, "$INSUNITS").group(70, 6);    // metres
+  dxf.group(9, "$MEASUREMENT").group(70, 1); // metric
+  dxf.group(9, "$LUNITS").group(70, 2);      // decimal
   dxf.group(9, "$EXTMIN").place(bounds.min());
   return dxf.group(9, "$EXTMAX").place(bounds.max());
 }

@@ -33,6 +33,12 @@ public:
   {
     return group(x_code, p.x()).group(x_code + 10, p.y()).group(x_code + 20, 0.0);
   }
+  DxfText& zeros(std::initializer_list<int> codes)
+  {
+    for (const int code : codes)
+      group(code, 0.0);
+    return *this;
+  }
   DxfText& append(const DxfText& other)
   {
     text_ += other.text_;

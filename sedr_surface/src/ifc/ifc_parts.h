@@ -168,21 +168,16 @@ confidenceOf(const PlanElement& face)
 void appendAccuracy(const SurfaceAccuracy& accuracy, std::vector<Property>& properties);
 
 /** @brief A wall in the file. */
-struct WrittenWall {
-  PlanWall wall;
-  std::string name;
+struct WrittenWall : WallBody {
+  std::string name{};
   std::size_t storey = 0;
-  WallFrame frame{};
   StepRef ref{};
   StepRef placement{}; ///< of the frame, z from the wall's bottom
   double bottom = 0;   ///< metres
   double top = 0;
-  WallHeights heights{};
   std::vector<WallCut> cuts{}; ///< openings and niches in it
   bool is_external = false;
   std::string number{}; ///< on the sheet
-  WallRuns runs{};      ///< of a tilted wall
-  PlanArea profile{};   ///< in the frame
 };
 
 /** @brief Adds a space with quantities for each room. */

@@ -94,15 +94,6 @@ constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
  * surrounds a room has a hole. Empty if nothing is left. */
 PlanArea profileOf(const WallSite& site);
 
-/** @brief Returns a wall whose top is not level, or with sides of different runs, as a
- * mesh in its frame, with z from its bottom.
- * @param profile its plan, from profileOf() */
-TriangleMesh meshOf(const Floorplan& plan,
-                    const PlanWall& wall,
-                    const WallHeights& heights,
-                    const WallRuns& runs,
-                    const PlanArea& profile);
-
 /** @brief What is cut out of a wall between two heights. */
 struct WallCut {
   PlanLoop plan; ///< in the frame of the wall, at its bottom if it is tilted
@@ -111,14 +102,20 @@ struct WallCut {
   bool is_recess = false; ///< not all through the wall
 };
 
-/** @brief Returns the volume of a wall without its cuts, which may overlap and reach
- * beyond it, cubic metres.
- * @param profile its plan, from profileOf() */
-double volumeOf(const Floorplan& plan,
-                const PlanWall& wall,
-                const WallHeights& heights,
-                const WallRuns& runs,
-                const PlanArea& profile,
-                const std::vector<WallCut>& cuts);
+/** @brief A wall as a body in its frame, with z from its bottom. */
+struct WallBody {
+  PlanWall wall;
+  WallFrame frame{};
+  WallHeights heights{};
+  WallRuns runs{};    ///< of a tilted wall
+  PlanArea profile{}; ///< from profileOf()
+
+  /** @brief Returns a wall whose top is not level, or with sides of different runs. */
+  TriangleMesh mesh(const Floorplan& plan) const;
+
+  /** @brief Returns the volume without cuts, which may overlap and reach beyond the
+   * wall, cubic metres. */
+  double volume(const Floorplan& plan, const std::vector<WallCut>& cuts) const;
+};
 
 } // namespace pcl::sedr::ifc

@@ -146,12 +146,21 @@ struct EdgeUse {
   std::uint32_t triangle = 0; ///< the triangle
   std::uint8_t side = 0;      ///< from corner `side` to the next
   bool forward = false;       ///< the triangle runs from low to high
+
+  /** @brief Returns the corner of the triangle at the lower vertex of the edge, or at
+   * the higher one: 3 * triangle + corner. */
+  std::uint32_t corner(bool is_low) const
+  {
+    return 3 * triangle + (forward == is_low ? side : (side + 1u) % 3u);
+  }
 };
 
-/** @brief Returns the sides of all triangles, sorted by edge, then by triangle. Sides
- * between a vertex and itself are omitted. O(n log n). */
-std::vector<EdgeUse>
-collectEdges(const std::vector<Triangle>& triangles)
+/** @brief Calls `visit(first, last)` with the sides of triangles at every edge, in
+ * order, which are sorted by triangle. Sides between a vertex and itself are omitted.
+ * O(n log n). */
+template <typename Visit>
+void
+forEachEdge(const std::vector<Triangle>& triangles, Visit visit)
 {
   std::vector<EdgeUse> uses;
   uses.reserve(3 * triangles.size());
@@ -166,14 +175,6 @@ collectEdges(const std::vector<Triangle>& triangles)
     return std::tie(a.low, a.high, a.triangle, a.side) <
            std::tie(b.low, b.high, b.triangle, b.side);
   });
-  return uses;
-}
-
-/** @brief Calls `visit(first, last)` with the range of uses of every edge, in order. */
-template <typename Visit>
-void
-forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
-{
   for (auto first = uses.begin(); first != uses.end();) {
     auto last = first + 1;
     while (last != uses.end() && last->low == first->low && last->high == first->high)
@@ -183,36 +184,17 @@ forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
   }
 }
 
-/** @brief Returns the corner of `use.triangle` at the lower vertex of the edge: 3 *
- * triangle + corner. */
-std::uint32_t
-lowCorner(const EdgeUse& use)
+/** @brief Numbers the sets of triangles in the order of their first ones. */
+std::vector<std::uint32_t>
+numbered(DisjointSets<>& sets, std::size_t triangles)
 {
-  return 3 * use.triangle + (use.forward ? use.side : (use.side + 1u) % 3u);
-}
-
-/** @brief As above, for the higher vertex. */
-std::uint32_t
-highCorner(const EdgeUse& use)
-{
-  return 3 * use.triangle + (use.forward ? (use.side + 1u) % 3u : use.side);
-}
-
-bool
-usesVertexTwice(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-void
-countVertices(const TriangleMesh& mesh, MeshTopology& topology)
-{
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Triangle& triangle : mesh.triangles)
-    for (const auto v : triangle)
-      used[v] = true;
-  topology.vertices =
-      static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+  std::vector<std::uint32_t> component(triangles);
+  std::uint32_t count = 0;
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const std::uint32_t root = sets.find(t); // the lowest, so it already has its number
+    component[t] = root == t ? count++ : component[root];
+  }
+  return component;
 }
 
 void
@@ -221,93 +203,17 @@ countTriangles(const TriangleMesh& mesh, MeshTopology& topology)
   topology.triangles = mesh.triangles.size();
   std::vector<Triangle> sorted;
   sorted.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (usesVertexTwice(mesh.triangles[t])) {
+  for (Triangle triangle : mesh.triangles) {
+    std::sort(triangle.begin(), triangle.end());
+    if (std::adjacent_find(triangle.begin(), triangle.end()) != triangle.end())
       ++topology.degenerate_triangles;
-      continue;
-    }
-    sorted.push_back(mesh.triangles[t]);
-    std::sort(sorted.back().begin(), sorted.back().end());
+    else
+      sorted.push_back(triangle);
   }
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i] == sorted[i - 1])
       ++topology.duplicate_triangles;
-}
-
-void
-countEdges(const std::vector<EdgeUse>& uses, MeshTopology& topology)
-{
-  forEachEdge(uses, [&topology](auto first, auto last) {
-    ++topology.edges;
-    const auto count = last - first;
-    if (count == 1)
-      ++topology.boundary_edges;
-    else if (count > 2)
-      ++topology.non_manifold_edges;
-    else if (first->forward == (first + 1)->forward)
-      ++topology.inconsistent_edges;
-  });
-}
-
-// Counts fans: sets of corners at a vertex that are joined across edges.
-void
-countFans(const TriangleMesh& mesh,
-          const std::vector<EdgeUse>& uses,
-          MeshTopology& topology)
-{
-  DisjointSets<> corners(3 * mesh.triangles.size());
-  forEachEdge(uses, [&corners](auto first, auto last) {
-    for (auto use = first + 1; use != last; ++use) {
-      corners.join(lowCorner(*first), lowCorner(*use));
-      corners.join(highCorner(*first), highCorner(*use));
-    }
-  });
-  std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
-  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c)
-    if (corners.find(c) == c && ++fans[mesh.triangles[c / 3][c % 3]] == 2)
-      ++topology.non_manifold_vertices;
-}
-
-std::vector<std::uint32_t>
-labelComponents(const TriangleMesh& mesh, const std::vector<EdgeUse>& uses)
-{
-  DisjointSets<> sets(mesh.triangles.size());
-  forEachEdge(uses, [&sets](auto first, auto last) {
-    for (auto use = first + 1; use != last; ++use)
-      sets.join(first->triangle, use->triangle);
-  });
-  std::vector<std::uint32_t> component(mesh.triangles.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t root = sets.find(t); // the lowest, so it already has its number
-    component[t] = root == t ? count++ : component[root];
-  }
-  return component;
-}
-
-void
-measureComponents(const TriangleMesh& mesh,
-                  const std::vector<EdgeUse>& uses,
-                  MeshTopology& topology)
-{
-  const auto component = labelComponents(mesh, uses);
-  std::vector<Eigen::Vector3d> origins; // of the components
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (component[t] == origins.size()) {
-      origins.push_back(mesh.corner(t, 0));
-      topology.components.push_back({0, 0, 0, true});
-    }
-    MeshComponent& c = topology.components[component[t]];
-    const Eigen::Vector3d normal = mesh.scaledNormal(t);
-    ++c.triangles;
-    c.area += normal.norm() / 2;
-    c.signed_volume += (mesh.corner(t, 0) - origins[component[t]]).dot(normal) / 6;
-  }
-  forEachEdge(uses, [&](auto first, auto last) {
-    if (last - first == 1)
-      topology.components[component[first->triangle]].closed = false;
-  });
 }
 
 } // namespace
@@ -339,15 +245,52 @@ MeshTopology
 checkTopology(const TriangleMesh& mesh)
 {
   MeshTopology topology;
-  countVertices(mesh, topology);
   countTriangles(mesh, topology);
-  const std::vector<EdgeUse> uses = collectEdges(mesh.triangles);
-  countEdges(uses, topology);
-  countFans(mesh, uses, topology);
-  measureComponents(mesh, uses, topology);
+  const std::size_t n = mesh.triangles.size();
+  DisjointSets<> corners(3 * n); // at a vertex those of a fan are joined across edges
+  DisjointSets<> triangles(n);
+  std::vector<std::uint32_t> at_rim;
+  forEachEdge(mesh.triangles, [&](auto first, auto last) {
+    ++topology.edges;
+    if (last - first == 1)
+      at_rim.push_back(first->triangle);
+    else if (last - first > 2)
+      ++topology.non_manifold_edges;
+    else if (first->forward == (first + 1)->forward)
+      ++topology.inconsistent_edges;
+    for (auto use = first + 1; use != last; ++use) {
+      corners.join(first->corner(true), use->corner(true));
+      corners.join(first->corner(false), use->corner(false));
+      triangles.join(first->triangle, use->triangle);
+    }
+  });
+  topology.boundary_edges = at_rim.size();
+  std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
+  for (std::uint32_t c = 0; c < 3 * n; ++c)
+    if (corners.find(c) == c)
+      ++fans[mesh.triangles[c / 3][c % 3]];
+  for (const std::uint32_t count : fans) {
+    topology.vertices += count > 0 ? 1 : 0;
+    topology.non_manifold_vertices += count > 1 ? 1 : 0;
+  }
   topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
                                   static_cast<std::int64_t>(topology.edges) +
                                   static_cast<std::int64_t>(topology.triangles);
+  const std::vector<std::uint32_t> component = numbered(triangles, n);
+  std::vector<Eigen::Vector3d> origins; // of the components
+  for (std::size_t t = 0; t < n; ++t) {
+    if (component[t] == origins.size()) {
+      origins.push_back(mesh.corner(t, 0));
+      topology.components.push_back({0, 0, 0, true});
+    }
+    MeshComponent& c = topology.components[component[t]];
+    const Eigen::Vector3d normal = mesh.scaledNormal(t);
+    ++c.triangles;
+    c.area += normal.norm() / 2;
+    c.signed_volume += (mesh.corner(t, 0) - origins[component[t]]).dot(normal) / 6;
+  }
+  for (const std::uint32_t t : at_rim)
+    topology.components[component[t]].closed = false;
   std::stable_sort(topology.components.begin(), topology.components.end(),
                    [](const auto& a, const auto& b) { return a.area > b.area; });
   return topology;
@@ -356,7 +299,12 @@ checkTopology(const TriangleMesh& mesh)
 std::vector<std::uint32_t>
 labelComponents(const TriangleMesh& mesh)
 {
-  return labelComponents(mesh, collectEdges(mesh.triangles));
+  DisjointSets<> triangles(mesh.triangles.size());
+  forEachEdge(mesh.triangles, [&](auto first, auto last) {
+    for (auto use = first + 1; use != last; ++use)
+      triangles.join(first->triangle, use->triangle);
+  });
+  return numbered(triangles, mesh.triangles.size());
 }
 
 } // namespace pcl::sedr

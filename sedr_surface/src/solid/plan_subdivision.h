@@ -198,41 +198,40 @@ struct TriangulatedPlan {
   std::vector<PlanSquare> squares{};    ///< each gets the region that most of it has
   Arrangement arrangement{};            ///< of the segments
   PlanTriangulation triangulation{};    ///< its edges are sides of triangles
-};
-
-/** @brief The region of each triangle of a plan, which must outlive it. */
-class ClassifiedCells {
-public:
-  /** @brief Finds the regions by the loops around each triangle. */
-  explicit ClassifiedCells(const TriangulatedPlan& plan);
-
-protected:
-  static constexpr std::uint32_t none = PlanTriangulation::none;
-
-  /** @brief Returns the region beyond a side of a triangle. */
-  PlanRegion across(std::uint32_t t, std::size_t side) const;
-
-  /** @brief Returns the edge on a triangle's side, or null. */
-  const Arrangement::Edge* edgeAt(std::uint32_t t, std::size_t side) const;
 
   std::uint32_t corner(std::uint32_t t, std::size_t i) const
   {
-    return plan_.triangulation.triangles[t][i % 3];
+    return triangulation.triangles[t][i % 3];
   }
 
-  double areaOf(std::uint32_t t) const;
+  double areaOf(std::uint32_t t) const
+  {
+    const auto& points = arrangement.vertices;
+    return 0.5 * grid.unit() * grid.unit() *
+           static_cast<double>(
+               turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
+  }
 
-  double heightOf(int slab, std::uint32_t vertex) const;
+  double heightOf(int slab, std::uint32_t vertex) const
+  {
+    return layers.slabs[static_cast<std::size_t>(slab)].slab.heightAt(
+        grid.toPlan(arrangement.vertices[vertex]));
+  }
 
-  /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
-   * on a coarse grid. */
-  double minClearance() const { return 20 * solidSeparation(plan_.grid); }
-
-  const TriangulatedPlan& plan_;
-  std::vector<PlanRegion> region_; ///< per triangle
-
-private:
-  void classify();
+  /** @brief Returns the segments on a triangle's side; empty if it is no edge. */
+  const std::vector<SegmentUse>& usesAt(std::uint32_t t, std::size_t side) const
+  {
+    static const std::vector<SegmentUse> no_edge;
+    const std::pair<std::uint32_t, std::uint32_t> ends =
+        std::minmax(corner(t, side), corner(t, side + 1));
+    const auto& edges = arrangement.edges;
+    const auto edge = std::lower_bound(edges.begin(), edges.end(), ends,
+                                       [](const auto& e, const auto& wanted) {
+                                         return std::make_pair(e.a, e.b) < wanted;
+                                       });
+    return edge != edges.end() && std::make_pair(edge->a, edge->b) == ends ? edge->uses
+                                                                           : no_edge;
+  }
 };
 
 /** @brief Divides a triangulated plan into regions, and replaces those that cannot be

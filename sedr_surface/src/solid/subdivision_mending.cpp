@@ -226,77 +226,48 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
   plan.edges.swap(kept);
 }
 
-namespace {
-
-/** @brief Splits edges where heights cross, judged by the levels that will be built. */
-class CrossingCutter {
-public:
-  CrossingCutter(const RoomLayers& layers, PlanSubdivision& plan)
-      : layers_(layers)
-      , plan_(plan)
-      , levels_(levelsOf(layers, plan))
-  {}
-
-  void run()
-  {
-    // Cut-off parts of edges are appended and visited later.
-    for (std::size_t e = 0; e < plan_.edges.size(); ++e)
-      while (cutOnce(e))
-        continue;
-  }
-
-private:
-  bool cutOnce(std::size_t e)
-  {
-    const SubdivisionEdge edge = plan_.edges[e];
-    for (const int slab : {edge.left.floor, edge.left.ceiling})
-      for (const int other : {edge.right.floor, edge.right.ceiling})
-        if (slab != PlanRegion::nothing && other != PlanRegion::nothing &&
-            cutAt(e, slab, other))
-          return true;
-    return false;
-  }
-
-  /** @brief Splits an edge where two slabs cross, if they do. */
-  bool cutAt(std::size_t e, int slab, int other)
-  {
-    const SubdivisionEdge edge = plan_.edges[e];
+void
+splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& plan)
+{
+  std::vector<VertexLevels> levels = levelsOf(layers, plan); // that will be built
+  // Splits an edge where two slabs cross, if they do.
+  const auto cutAt = [&](std::size_t e, int slab, int other) {
+    const SubdivisionEdge edge = plan.edges[e];
     const auto heightOver = [&](std::uint32_t v) {
-      return static_cast<double>(levels_[v].levelOf(slab) - levels_[v].levelOf(other));
+      return static_cast<double>(levels[v].levelOf(slab) - levels[v].levelOf(other));
     };
     const double at_a = heightOver(edge.a);
     const double at_b = heightOver(edge.b);
     if (!(at_a < 0 && at_b > 0) && !(at_a > 0 && at_b < 0))
       return false;
     const double share = at_a / (at_a - at_b);
-    const GridPoint place = plan_.grid.toGrid(plan_.placeOf(edge.a) * (1 - share) +
-                                              plan_.placeOf(edge.b) * share);
-    if (place == plan_.vertices[edge.a] || place == plan_.vertices[edge.b])
+    const GridPoint place = plan.grid.toGrid(plan.placeOf(edge.a) * (1 - share) +
+                                             plan.placeOf(edge.b) * share);
+    if (place == plan.vertices[edge.a] || place == plan.vertices[edge.b])
       return false;
-    const auto middle = static_cast<std::uint32_t>(plan_.vertices.size());
-    plan_.vertices.push_back(place);
-    plan_.crossings[middle] = {slab, other};
-    plan_.edges.push_back(edge);
-    plan_.edges[e].b = plan_.edges.back().a = middle;
-    Spoke ahead;
-    ahead.left = edge.left;
-    Spoke back;
-    back.left = edge.right;
-    levels_.emplace_back(layers_, plan_, middle, std::vector<Spoke>{ahead, back});
+    const auto middle = static_cast<std::uint32_t>(plan.vertices.size());
+    plan.vertices.push_back(place);
+    plan.crossings[middle] = {slab, other};
+    plan.edges.push_back(edge);
+    plan.edges[e].b = plan.edges.back().a = middle;
+    levels.emplace_back(
+        layers, plan, middle,
+        std::vector<Spoke>{{0, 0, edge.left, {}}, {0, 0, edge.right, {}}});
     return true;
-  }
-
-  const RoomLayers& layers_;
-  PlanSubdivision& plan_;
-  std::vector<VertexLevels> levels_;
-};
-
-} // namespace
-
-void
-splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& plan)
-{
-  CrossingCutter(layers, plan).run();
+  };
+  const auto cutOnce = [&](std::size_t e) {
+    const SubdivisionEdge edge = plan.edges[e];
+    for (const int slab : {edge.left.floor, edge.left.ceiling})
+      for (const int other : {edge.right.floor, edge.right.ceiling})
+        if (slab != PlanRegion::nothing && other != PlanRegion::nothing &&
+            cutAt(e, slab, other))
+          return true;
+    return false;
+  };
+  // Cut-off parts of edges are appended and visited later.
+  for (std::size_t e = 0; e < plan.edges.size(); ++e)
+    while (cutOnce(e))
+      continue;
 }
 
 } // namespace pcl::sedr

@@ -284,34 +284,12 @@ private:
 std::vector<bool>
 insideOf(const PlanTriangulation& mesh, const PlanEdges& rim)
 {
-  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
+  return spread(mesh, false, [&](std::uint32_t t, std::size_t i, bool beyond) {
     const auto& corners = mesh.triangles[t];
     const std::pair<std::uint32_t, std::uint32_t> ends =
         std::minmax(corners[i], corners[(i + 1) % 3]);
-    return std::binary_search(rim.begin(), rim.end(), ends);
-  };
-  std::vector<bool> is_inside(mesh.triangles.size(), false);
-  std::vector<bool> is_known(mesh.triangles.size(), false);
-  std::vector<std::uint32_t> waiting;
-  const auto reach = [&](std::uint32_t t, bool inside) {
-    if (is_known[t])
-      return;
-    is_known[t] = true;
-    is_inside[t] = inside;
-    waiting.push_back(t);
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] == none)
-        reach(t, isEdge(t, i));
-  while (!waiting.empty()) {
-    const std::uint32_t t = waiting.back();
-    waiting.pop_back();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] != none)
-        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
-  }
-  return is_inside;
+    return beyond != std::binary_search(rim.begin(), rim.end(), ends);
+  });
 }
 
 } // namespace

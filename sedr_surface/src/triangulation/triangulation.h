@@ -144,6 +144,38 @@ struct PlanTriangulation {
   std::vector<std::array<std::uint32_t, 3>> neighbours;
 };
 
+/** @brief Finds a state of each triangle from that outside of all, O(n).
+ * @param inside returns the state within a side of a triangle, given that beyond it */
+template <typename State, typename Inside>
+std::vector<State>
+spread(const PlanTriangulation& mesh, const State& outside, const Inside& inside)
+{
+  constexpr std::uint32_t none = PlanTriangulation::none;
+  std::vector<State> states(mesh.triangles.size());
+  std::vector<bool> is_known(states.size(), false);
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t t, std::size_t side, const State& beyond) {
+    if (is_known[t])
+      return;
+    is_known[t] = true;
+    states[t] = inside(t, side, beyond);
+    waiting.push_back(t);
+  };
+  for (std::uint32_t t = 0; t < states.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] == none)
+        reach(t, i, outside);
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (const std::uint32_t n : mesh.neighbours[t])
+      for (std::size_t back = 0; n != none && back < 3; ++back)
+        if (mesh.neighbours[n][back] == t)
+          reach(n, back, states[t]);
+  }
+  return states;
+}
+
 /** @brief Computes the Delaunay triangulation of points, all distinct: triangles of
  * non-zero area, counter-clockwise, that fill their convex hull; none of points on a
  * line. O(n log n).
