@@ -10,6 +10,7 @@
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 
 using namespace pcl::sedr::tools;

@@ -4,7 +4,7 @@
 #include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "tool_error.h"
 
 #include <filesystem>

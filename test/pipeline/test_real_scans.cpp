@@ -2,7 +2,6 @@
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_topology.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <pcl/io/pcd_io.h>

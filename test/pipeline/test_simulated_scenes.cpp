@@ -5,8 +5,8 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>
 

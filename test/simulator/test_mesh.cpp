@@ -3,7 +3,7 @@
 #include "sample_scenes.h"
 #include "simulator/mesh/scene_mesh.h"
 
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -19,4 +19,15 @@ void parallelBlocks(std::size_t n,
                     unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body);
 
+/** @brief Calls `see(i)` for each number of [0, n), in blocks as parallelBlocks(). */
+template <typename See>
+void
+parallelFor(std::size_t n, std::size_t block, unsigned threads, const See& see)
+{
+  parallelBlocks(n, block, threads, [&see](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      see(i);
+  });
+}
+
 } // namespace pcl::sedr

@@ -2,9 +2,8 @@
 #include "plane_fit.h"
 
 #include "../grids/cell_set.h"
-#include "densest_window.h"
-#include "middle_value.h"
-#include "parallel_for.h"
+#include "parallel.h"
+#include "quantiles.h"
 #include "symmetric_eigen.h"
 
 #include <Eigen/Geometry>

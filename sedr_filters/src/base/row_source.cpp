@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_access.h"
-#include "parallel_for.h"
+#include "parallel.h"
 #include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>

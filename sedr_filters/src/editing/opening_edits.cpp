@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
 #include "../plan/missing_things.h"
-#include "../plan/opening_wall.h"
-#include "../walls/face_pairs.h"
+#include "../plan/plan_geometry.h"
+#include "../walls/plan_walls.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>

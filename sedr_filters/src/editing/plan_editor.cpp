@@ -2,9 +2,8 @@
 #include "../base/number_text.h"
 #include "../plan/missing_things.h"
 #include "../plan/plan_check.h"
-#include "../walls/face_pairs.h"
-#include "plan_outlines.h"
-#include "room_references.h"
+#include "../walls/plan_walls.h"
+#include "plan_edits.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_outlines.h"
+#include "plan_edits.h"
 
 #include "../base/number_text.h"
-#include "../plan/plan_bounds.h"
+#include "../plan/plan_geometry.h"
 
 #include "../walls/tilted_walls.h"
 #include <pcl/sedr_filters/plan_editor.h>

@@ -8,9 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /** @brief Vectors are arrays of numbers. */
@@ -51,16 +54,94 @@ nlohmann::ordered_json levellingToJson(const Levelling& levelling);
 std::uint32_t
 wholeFrom(const nlohmann::ordered_json& json, std::uint32_t least, const char* what);
 
-std::vector<std::uint32_t> roomsFrom(const nlohmann::ordered_json& json,
-                                     std::uint32_t least);
+/** @brief The members of a part of a plan, which is written or read in their order: one
+ * description serves both. Those that cannot be read throw a std::exception. */
+class PartFields {
+public:
+  /** @brief Writes to an object. */
+  explicit PartFields(nlohmann::ordered_json* out)
+      : out_(out)
+  {}
 
-template <typename T>
+  /** @brief Reads an object. */
+  explicit PartFields(const nlohmann::ordered_json& in)
+      : in_(&in)
+  {}
+
+  bool areRead() const { return in_ != nullptr; }
+
+  template <typename T>
+  void needed(const char* name, T& value)
+  {
+    areRead() ? static_cast<void>(in_->at(name).get_to(value)) : told(name, value);
+  }
+
+  /** @brief A member that keeps its value if it is missing. */
+  template <typename T>
+  void optional(const char* name, T& value, bool is_written = true)
+  {
+    if (areRead() ? in_->contains(name) : is_written)
+      needed(name, value);
+  }
+
+  /** @brief A member that follows from others: it is not read. */
+  template <typename T>
+  void told(const char* name, const T& value)
+  {
+    if (!areRead())
+      (*out_)[name] = value;
+  }
+
+  /** @brief An integer, see wholeFrom(). */
+  void
+  whole(const char* name, std::uint32_t& value, std::uint32_t least, const char* what);
+
+  /** @brief The ids of the rooms of a storey. */
+  void rooms(std::vector<std::uint32_t>& ids);
+
+  /** @brief The ids of both rooms of a thing such as "a stair"; 0: outside. */
+  void rooms(std::array<std::uint32_t, 2>& ids, const std::string& of_what);
+
+private:
+  nlohmann::ordered_json* out_ = nullptr;
+  const nlohmann::ordered_json* in_ = nullptr;
+};
+
+void describe(PartFields& fields, ElementEvidence& evidence);
+void describe(PartFields& fields, SurfaceAccuracy& accuracy);
+void describe(PartFields& fields, PlanElement& element);
+void describe(PartFields& fields, PlanSlab& slab);
+void describe(PartFields& fields, PlanDetail& detail);
+void describe(PartFields& fields, PlanNiche& niche);
+void describe(PartFields& fields, OpeningWall& wall);
+void describe(PartFields& fields, PlanOpening& opening);
+void describe(PartFields& fields, PlanStorey& storey);
+void describe(PartFields& fields, PlanStair& stair);
+void describe(PartFields& fields, PlanFlight& flight);
+
+template <typename Part,
+          typename = decltype(describe(std::declval<PartFields&>(),
+                                       std::declval<Part&>()))>
 void
-readIfThere(const nlohmann::ordered_json& json, const char* name, T& value)
+to_json(nlohmann::ordered_json& json, Part part)
 {
-  if (json.contains(name))
-    value = json.at(name).get<T>();
+  json = nlohmann::ordered_json::object();
+  PartFields fields(&json);
+  describe(fields, part);
 }
+
+template <typename Part,
+          typename = decltype(describe(std::declval<PartFields&>(),
+                                       std::declval<Part&>()))>
+void
+from_json(const nlohmann::ordered_json& json, Part& part)
+{
+  PartFields fields(json);
+  describe(fields, part);
+}
+
+void to_json(nlohmann::ordered_json& json, const PlanLoop& loop);
+void from_json(const nlohmann::ordered_json& json, PlanLoop& loop);
 
 /** @brief Writes stairs. Unknown rooms become 0, outside; stairs from there to there
  * are left out. */
@@ -69,26 +150,6 @@ nlohmann::ordered_json stairsToJson(const Floorplan& plan);
 /** @brief Adds the doorways of versions 1 and 2, unless they are among the openings or
  * of no size. Their kind is not known. */
 void addDoorways(const nlohmann::ordered_json& json, Floorplan& plan);
-
-// The parts of a plan; those that cannot be read throw a std::exception with the
-// reason.
-void to_json(nlohmann::ordered_json& json, const PlanElement& element);
-void to_json(nlohmann::ordered_json& json, const PlanLoop& loop);
-void to_json(nlohmann::ordered_json& json, const PlanSlab& slab);
-void to_json(nlohmann::ordered_json& json, const PlanNiche& niche);
-void to_json(nlohmann::ordered_json& json, const PlanOpening& opening);
-void to_json(nlohmann::ordered_json& json, const PlanStorey& storey);
-void to_json(nlohmann::ordered_json& json, const PlanStair& stair);
-void to_json(nlohmann::ordered_json& json, const PlanFlight& flight);
-void from_json(const nlohmann::ordered_json& json, PlanElement& element);
-void from_json(const nlohmann::ordered_json& json, PlanLoop& loop);
-void from_json(const nlohmann::ordered_json& json, PlanSlab& slab);
-void from_json(const nlohmann::ordered_json& json, PlanDetail& detail);
-void from_json(const nlohmann::ordered_json& json, PlanNiche& niche);
-void from_json(const nlohmann::ordered_json& json, PlanOpening& opening);
-void from_json(const nlohmann::ordered_json& json, PlanStorey& storey);
-void from_json(const nlohmann::ordered_json& json, PlanStair& stair);
-void from_json(const nlohmann::ordered_json& json, PlanFlight& flight);
 
 /** @brief Writes a slab with the members that only facets have. */
 nlohmann::ordered_json facetToJson(const PlanSlab& slab);

@@ -18,29 +18,6 @@ namespace pcl::sedr {
 
 using Json = nlohmann::ordered_json;
 
-std::uint32_t
-wholeFrom(const Json& json, std::uint32_t least, const char* what)
-{
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  if (!json.is_number_unsigned() || json.get<std::uint64_t>() < least ||
-      json.get<std::uint64_t>() > most)
-    throw std::invalid_argument(std::string(what) + " is a whole number from " +
-                                std::to_string(least) + " to " + std::to_string(most) +
-                                ", not " + json.dump());
-  return json.get<std::uint32_t>();
-}
-
-std::vector<std::uint32_t>
-roomsFrom(const Json& json, std::uint32_t least)
-{
-  std::vector<std::uint32_t> ids;
-  for (const Json& id : json)
-    ids.push_back(wholeFrom(id, least, "the id of a room"));
-  return ids;
-}
-
-// Rooms and storeys.
-
 namespace {
 
 /** @brief Writes the facets of a ceiling, or else its details. */
@@ -49,10 +26,11 @@ detailsToJson(const std::vector<PlanDetail>& details, bool facets = false)
 {
   Json json = Json::array();
   for (const auto& detail : details)
-    if (detail.is_facet == facets)
-      json.push_back({{"slab", facets ? facetToJson(detail.slab) : Json(detail.slab)},
-                      {"boundary", detail.boundary},
-                      {"holes", detail.holes}});
+    if (detail.is_facet == facets) {
+      json.push_back(detail);
+      if (facets)
+        json.back()["slab"] = facetToJson(detail.slab);
+    }
   return json;
 }
 
@@ -91,38 +69,16 @@ from_json(const Json& json, PlanRoom& room)
   json.at("floor").get_to(room.floor);
   json.at("ceiling").get_to(room.ceiling);
   json.at("boundary").get_to(room.boundary);
-  readIfThere(json, "columns", room.columns);
-  readIfThere(json, "facets", room.details);
+  PartFields fields(json);
+  fields.optional("columns", room.columns);
+  fields.optional("facets", room.details);
   for (PlanDetail& facet : room.details)
     facet.is_facet = true;
   std::vector<PlanDetail> details;
-  readIfThere(json, "details", details);
+  fields.optional("details", details);
   std::move(details.begin(), details.end(), std::back_inserter(room.details));
-  readIfThere(json, "floor_details", room.floor_details);
-  readIfThere(json, "niches", room.niches);
-}
-
-void
-to_json(Json& json, const PlanStorey& storey)
-{
-  json = {{"number", storey.number},
-          {"name", storey.name},
-          {"floor", storey.floor},
-          {"ceiling", storey.ceiling},
-          {"rooms", storey.rooms}};
-}
-
-void
-from_json(const Json& json, PlanStorey& storey)
-{
-  if (json.contains("number"))
-    storey.number = wholeFrom(json.at("number"), 1, "the number of a storey");
-  storey.name = storeyName(storey.number);
-  readIfThere(json, "name", storey.name);
-  readIfThere(json, "floor", storey.floor);
-  readIfThere(json, "ceiling", storey.ceiling);
-  storey.rooms = roomsFrom(json.at("rooms"), 1);
-  std::sort(storey.rooms.begin(), storey.rooms.end());
+  fields.optional("floor_details", room.floor_details);
+  fields.optional("niches", room.niches);
 }
 
 void
@@ -145,8 +101,9 @@ from_json(const Json& json, Floorplan& plan)
       plan.storeys.back().number = static_cast<std::uint32_t>(plan.storeys.size());
       entry.get_to(plan.storeys.back());
     }
-  readIfThere(json, "stairs", plan.stairs);
-  readIfThere(json, "openings", plan.openings);
+  PartFields fields(json);
+  fields.optional("stairs", plan.stairs);
+  fields.optional("openings", plan.openings);
   if (json.contains("doorways"))
     addDoorways(json.at("doorways"), plan);
   numberOpenings(plan);
@@ -248,14 +205,15 @@ documentFromJson(const std::string& text, std::string& problem)
     json.get_to(document.plan);
     if (const std::string wrong = planProblem(document.plan); !wrong.empty())
       throw std::invalid_argument(wrong);
-    readIfThere(json, "origin", document.origin.place);
+    PartFields fields(json);
+    fields.optional("origin", document.origin.place);
     if (json.contains("levelling"))
       document.levelling = levellingFromJson(json["levelling"]);
     Priors priors;
     if (json.contains("max_wall"))
       problem = setPrior("max_wall", json["max_wall"].get<double>(), priors);
     document.max_wall = priors.max_wall;
-    readIfThere(json, "scan", document.scan);
+    fields.optional("scan", document.scan);
     return problem.empty() ? document : PlanDocument();
   }
   catch (const std::exception& error) {

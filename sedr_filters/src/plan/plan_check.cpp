@@ -4,7 +4,7 @@
 #include "../base/number_text.h"
 #include "../base/printable.h"
 #include "../walls/tilted_walls.h"
-#include "level_planes.h"
+#include "plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>

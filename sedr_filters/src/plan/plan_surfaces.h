@@ -4,11 +4,22 @@
 #include "../grids/place_table.h"
 #include "room_lookup.h"
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/impl/refinement.h>
 
 #include <memory>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief The kind of a vertical surface of a room. */
+enum class VerticalKind {
+  Wall,           ///< from the floor to the ceiling, or to a niche
+  WallAboveNiche, ///< from the top of a niche to the ceiling
+  ColumnFace,
+  CeilingRiser, ///< between two heights of the ceiling
+  FloorRiser,   ///< between two heights of the floor
+  NicheSide     ///< a side or the back of a niche
+};
 
 /** @brief The range of heights of a vertical surface at one place, metres. */
 struct VerticalSpan {

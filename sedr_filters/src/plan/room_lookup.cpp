@@ -2,8 +2,7 @@
 #include "room_lookup.h"
 
 #include "../walls/tilted_walls.h"
-#include "plan_arcs.h"
-#include "plan_bounds.h"
+#include "plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace pcl::sedr {
-
 namespace {
 
 constexpr double steepest = 1000; ///< rise in metres per metre
@@ -152,6 +151,62 @@ moved(SlabCurve curve, double angle, const Eigen::Vector3d& shift)
   for (double& z : curve.heights)
     z += shift.z();
   return curve;
+}
+
+Floorplan
+moved(Floorplan plan, double angle, const Eigen::Vector3d& shift)
+{
+  const Eigen::Rotation2Dd turn(angle);
+  const auto move = [&](Eigen::Vector2d& p) { p = turn * p + shift.head<2>(); };
+  const auto lift = [&](auto&... heights) { ((heights += shift.z()), ...); };
+  const auto moveLoop = [&](PlanLoop& loop) {
+    for (PlanElement& element : loop.elements)
+      for (Eigen::Vector2d* p : {&element.start, &element.end, &element.centre})
+        move(*p);
+  };
+  const auto moveLoops = [&](std::vector<PlanLoop>& loops) {
+    std::for_each(loops.begin(), loops.end(), moveLoop);
+  };
+  const auto moveSlab = [&](PlanSlab& slab) {
+    slab.plane.head<2>() = turn * Eigen::Vector2d(slab.plane.head<2>());
+    slab.plane[3] -= slab.plane.head<3>().dot(shift);
+    if (slab.curve)
+      slab.curve = std::make_shared<const SlabCurve>(moved(*slab.curve, angle, shift));
+  };
+  for (PlanRoom& room : plan.rooms) {
+    moveLoop(room.boundary);
+    moveLoops(room.columns);
+    moveSlab(room.floor);
+    moveSlab(room.ceiling);
+    for (auto* const details : {&room.details, &room.floor_details})
+      for (PlanDetail& detail : *details) {
+        moveLoop(detail.boundary);
+        moveLoops(detail.holes);
+        moveSlab(detail.slab);
+      }
+    for (PlanNiche& niche : room.niches) {
+      moveLoop(niche.boundary);
+      moveSlab(niche.bottom);
+      moveSlab(niche.top);
+    }
+  }
+  for (PlanStorey& storey : plan.storeys)
+    lift(storey.floor, storey.ceiling);
+  for (PlanOpening& opening : plan.openings) {
+    move(opening.start);
+    move(opening.end);
+    lift(opening.bottom, opening.top);
+  }
+  for (PlanStair& stair : plan.stairs) {
+    move(stair.at);
+    lift(stair.bottom, stair.top);
+    for (PlanFlight& flight : stair.flights) {
+      lift(flight.bottom);
+      for (PlanFlight::Riser& riser : flight.risers)
+        std::for_each(riser.begin(), riser.end(), move);
+    }
+  }
+  return plan;
 }
 
 } // namespace pcl::sedr

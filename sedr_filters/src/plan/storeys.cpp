@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_bounds.h"
+#include "plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

@@ -2,9 +2,7 @@
 #include "mirrored_points.h"
 
 #include "../base/parallel.h"
-#include "../base/parallel_for.h"
 #include "panes.h"
-#include "true_places.h"
 
 #include <Eigen/Geometry>
 

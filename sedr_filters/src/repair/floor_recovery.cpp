@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/impl/refinement.h>
+
 #include "../grids/cell_set.h"
 
-#include <pcl/sedr_filters/impl/floor_recovery.h>
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_filters/impl/floor_projection_recovery.hpp>
+#include <pcl/sedr_filters/impl/structure_refinement.hpp>
+#include <pcl/sedr_filters/impl/vertical_hole_repair.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -62,3 +67,9 @@ meanHeight(const PointView& points, const pcl::Indices& indices)
 }
 
 } // namespace pcl::sedr
+
+PCL_INSTANTIATE(FloorProjectionRecovery, SEDR_POINT_TYPES)
+
+PCL_INSTANTIATE(StructureRefinement, SEDR_POINT_TYPES)
+
+PCL_INSTANTIATE(VerticalHoleRepair, SEDR_POINT_TYPES)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
-#include "../base/parallel_for.h"
-#include "../plan/plan_bounds.h"
+#include "../base/parallel.h"
+#include "../plan/plan_geometry.h"
 #include "../plan/plan_surfaces.h"
 #include "../plan/room_lookup.h"
 #include "../rays/cube_points.h"

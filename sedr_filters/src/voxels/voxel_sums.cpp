@@ -2,7 +2,6 @@
 #include "voxel_sums.h"
 
 #include "../base/parallel.h"
-#include "../base/parallel_for.h"
 #include "voxel_table.h"
 
 #include <algorithm>

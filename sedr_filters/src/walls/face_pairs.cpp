@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "face_pairs.h"
+#include "plan_walls.h"
 
-#include "../plan/plan_bounds.h"
+#include "../plan/plan_geometry.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_walls.h"
 
-#include "../plan/plan_bounds.h"
-#include "face_pairs.h"
+#include "../plan/plan_geometry.h"
 
-#include "../base/middle_value.h"
+#include "../base/quantiles.h"
 #include "../grids/place_table.h"
 
 #include <pcl/sedr_filters/plan_measures.h>

@@ -142,4 +142,13 @@ WallFrame frameOf(const Floorplan& plan, const PlanWall& wall);
 std::pair<Eigen::Vector2d, Eigen::Vector2d> faceAt(const PlanElement& element,
                                                    double s);
 
+/** @brief The faces of a plan that are the two sides of one wall, and the others. */
+struct FacePairs {
+  std::vector<PlanWall> walls; ///< with both faces, without outlines
+  std::vector<PlanWall> free;  ///< unpaired stretches, in the order of the faces
+};
+
+/** @brief Pairs faces, the nearest first. Cost: faces squared. */
+FacePairs pairFaces(const Floorplan& plan, const WallParameters& parameters);
+
 } // namespace pcl::sedr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../plan/plan_arcs.h"
+#include "../plan/plan_geometry.h"
 
 #include "tilted_walls.h"
 

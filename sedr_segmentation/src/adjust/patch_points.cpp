@@ -3,7 +3,7 @@
 
 #include "../scan/scan_excerpt.h"
 #include "sedr_filters/src/base/parallel.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "surface_fit.h"
 
 #include "sedr_filters/src/base/parallel.h"
-#include "sedr_filters/src/base/weighted_quantile.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <Eigen/LU>
 

@@ -2,7 +2,7 @@
 #include "plan_unknowns.h"
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <algorithm>

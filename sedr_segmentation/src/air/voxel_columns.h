@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>

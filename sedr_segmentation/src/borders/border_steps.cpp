@@ -5,8 +5,8 @@
 #include "../surface/riser_bins.h"
 
 #include "../curves/contour.h"
-#include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/plan/level_planes.h"
+#include "sedr_filters/src/base/quantiles.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>

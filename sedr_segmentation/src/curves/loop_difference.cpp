@@ -3,7 +3,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include "plan_curve.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>

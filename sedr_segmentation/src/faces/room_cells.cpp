@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_cells.h"
 
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <Eigen/Geometry>
 

@@ -9,8 +9,7 @@
 #include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include "sedr_filters/src/grids/place_table.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_recess.h"
 
-#include "sedr_filters/src/base/densest_window.h"
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/grids/cell_count.h"
 
 #include <algorithm>

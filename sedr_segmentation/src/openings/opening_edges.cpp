@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_edges.h"
 
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

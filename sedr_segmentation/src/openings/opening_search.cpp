@@ -2,7 +2,7 @@
 #include "opening_search.h"
 
 #include "opening_gains.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

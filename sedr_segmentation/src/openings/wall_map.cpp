@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "wall_map.h"
 
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>

@@ -7,7 +7,7 @@
 #include "rooms_above.h"
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_check.h"
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>

@@ -2,7 +2,7 @@
 #include "room_gaps.h"
 
 #include "../niches/niche_fit.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/cell_count.h"
 
 #include <algorithm>

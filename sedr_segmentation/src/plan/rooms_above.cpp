@@ -2,9 +2,7 @@
 #include "rooms_above.h"
 
 #include "../curves/loop_difference.h"
-#include "sedr_filters/src/plan/level_planes.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "wall_feet.h"
 
 #include "../curves/contour.h"
-#include "sedr_filters/src/base/weighted_quantile.h"
+#include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
 #include <pcl/sedr_filters/priors.h>
 

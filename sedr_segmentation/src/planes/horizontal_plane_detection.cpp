@@ -2,7 +2,7 @@
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <pcl/impl/instantiate.hpp>
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/horizontal_plane_detection.hpp>
 

@@ -2,8 +2,8 @@
 #include "face_curves.h"
 
 #include "../curves/fitted_curve.h"
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

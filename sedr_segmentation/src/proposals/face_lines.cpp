@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "face_lines.h"
 
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/base/smooth_counts.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "../curves/place_sums.h"
 #include "face_lines.h"
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

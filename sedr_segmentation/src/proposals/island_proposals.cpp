@@ -2,7 +2,7 @@
 #include "island_proposals.h"
 
 #include "../curves/fitted_curve.h"
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <array>

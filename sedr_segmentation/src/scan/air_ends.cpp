@@ -2,7 +2,7 @@
 #include "air_ends.h"
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/grids/disjoint_sets.h"
 #include <pcl/sedr_filters/priors.h>
 

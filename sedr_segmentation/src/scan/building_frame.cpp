@@ -2,7 +2,7 @@
 #include <pcl/sedr_segmentation/building.h>
 
 #include "patch_normals.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/smooth_counts.h"
 #include <pcl/sedr_filters/priors.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_fill.h"
 
-#include "sedr_filters/src/base/weighted_quantile.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "patch_normals.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/weighted_quantile.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

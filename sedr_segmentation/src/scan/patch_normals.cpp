@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patch_normals.h"
 
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/symmetric_eigen.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_excerpt.h"
 #include "sedr_filters/src/base/field_access.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <cstdint>
 #include <cstring>

@@ -4,7 +4,7 @@
 #include "unit_check.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unit_check.h"
 
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/base/quantiles.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>

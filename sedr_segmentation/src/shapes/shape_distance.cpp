@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_distance.h"
 
-#include "sedr_filters/src/plan/level_planes.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 namespace pcl::sedr {
 

@@ -3,7 +3,7 @@
 #include "../surface/riser_bins.h"
 #include "shape_proposals.h"
 
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 #include "sheet_fit.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "stair_priors.h"
 
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_segmentation/building.h>
 
 #include <Eigen/Core>

@@ -3,9 +3,9 @@
 
 #include "../curves/plan_points.h"
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

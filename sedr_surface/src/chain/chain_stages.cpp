@@ -5,8 +5,7 @@
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
-#include "structure_model.h"
-#include "unexplained_surfaces.h"
+#include "seen_surfaces.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -68,16 +67,14 @@ giveFreedMemoryBack()
 } // namespace
 
 std::string
-partRooms(ChainRun& run, StageReport& report)
+ChainRun::partRooms(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   stages.room_segmentation.setInputCloud(model.cloud);
   stages.room_segmentation.setSeenThroughPanes(model.mirrored.behind);
   std::vector<pcl::PointIndices> unused;
   if (!stages.room_segmentation.segment(unused))
     return stages.room_segmentation.getErrorMessage() +
-           (run.may_be_in_feet ? std::string("; ") + if_in_feet : "");
+           (may_be_in_feet ? std::string("; ") + if_in_feet : "");
   const Building& building = stages.room_segmentation.getBuilding();
   if (!inchProblem(PointView(*model.cloud), building.storeys.size()).empty())
     return "the storeys that were found are too high for a building";
@@ -88,17 +85,15 @@ partRooms(ChainRun& run, StageReport& report)
   for (const BuildingRoom& room : building.rooms)
     if (room.enclosure < stages.floorplan_fitting.getPriors().share_clear)
       model.warnings.push_back({WarningKind::Open, {room.unseen_outline}, room.id});
-  run.rooms = roomsOf(building);
-  for (const ChainRoom& room : run.rooms)
+  rooms = roomsOf(building);
+  for (const ChainRoom& room : rooms)
     report.points_out += room.ceiling.size() + room.floor.size();
   return {};
 }
 
 std::string
-findPlanes(ChainRun& run, StageReport& report)
+ChainRun::findPlanes(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   const auto& detection = stages.plane_detection;
   const Priors& priors = stages.floorplan_fitting.getPriors();
   const double tolerance = detection.getDistanceThreshold();
@@ -113,7 +108,7 @@ findPlanes(ChainRun& run, StageReport& report)
   const PointView points(*model.cloud);
   const double size = detection.getGridSize();
   std::vector<CellSet> ceilings;
-  for (const ChainRoom& room : run.rooms)
+  for (const ChainRoom& room : rooms)
     ceilings.emplace_back(CellGrid(size), points, room.ceiling);
   if (const double wanted = cellSizeFor(ceilings, size, priors); wanted > size) {
     enlargeCells(stages, wanted);
@@ -125,15 +120,15 @@ findPlanes(ChainRun& run, StageReport& report)
                              priors,
                              {tolerance, tilt, detection.getSeed(),
                               stages.room_segmentation.getNumberOfThreads()}};
-  findCeilings(scan, run.rooms);
-  run.owners = findOwners(scan, run.rooms);
-  std::transform(run.owners.begin(), run.owners.end(), model.owners.begin(),
+  findCeilings(scan, rooms);
+  owners = findOwners(scan, rooms);
+  std::transform(owners.begin(), owners.end(), model.owners.begin(),
                  [](const PointOwner& owner) { return owner.beyond ? 0 : owner.room; });
-  findFloors(scan, run.rooms);
-  labelSlabs(run.rooms, scan.grid, model);
-  for (std::size_t r = 0; r < run.rooms.size(); ++r) {
-    report.points_out += run.rooms[r].ceiling.size() + run.rooms[r].floor.size();
-    if (run.rooms[r].scope.empty())
+  findFloors(scan, rooms);
+  labelSlabs(rooms, scan.grid, model);
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    report.points_out += rooms[r].ceiling.size() + rooms[r].floor.size();
+    if (rooms[r].scope.empty())
       model.warnings.push_back(warningOf(
           WarningKind::Stage, "no point of its ceiling was found: it is left out", {},
           static_cast<std::uint32_t>(r + 1)));
@@ -142,20 +137,17 @@ findPlanes(ChainRun& run, StageReport& report)
 }
 
 std::string
-findWalls(ChainRun& run, StageReport& report)
+ChainRun::findWalls(StageReport& report)
 {
-  const CellGrid grid(run.stages.plane_detection.getGridSize());
-  const std::string problem =
-      growWalls(run.rooms, grid, run.stages.wall_growing, run.model);
-  report.points_out = labelled(run.model, StructureLabel::Wall)->size();
+  const CellGrid grid(stages.plane_detection.getGridSize());
+  const std::string problem = growWalls(rooms, grid, stages.wall_growing, model);
+  report.points_out = labelled(model, StructureLabel::Wall)->size();
   return problem;
 }
 
 std::string
-fitPlan(ChainRun& run, StageReport& report)
+ChainRun::fitPlan(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   auto& fitting = stages.floorplan_fitting;
   fitting.setInputCloud(model.cloud);
   fitting.setCeilingIndices(labelled(model, StructureLabel::Ceiling));
@@ -163,10 +155,10 @@ fitPlan(ChainRun& run, StageReport& report)
   fitting.setWallIndices(labelled(model, StructureLabel::Wall));
   fitting.setRooms(model.rooms);
   std::map<std::uint32_t, HiddenCells> hidden;
-  for (std::size_t r = 0; r < run.rooms.size(); ++r)
-    hidden[static_cast<std::uint32_t>(r + 1)] = run.rooms[r].hidden;
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    hidden[static_cast<std::uint32_t>(r + 1)] = rooms[r].hidden;
   fitting.setHiddenCells(std::move(hidden));
-  fitting.setOwners(run.owners);
+  fitting.setOwners(owners);
   if (!fitting.segment(*model.plan))
     return fitting.getErrorMessage();
   if (const SightLines* const sight = model.mirrored.lines.get()) { // proves openings
@@ -181,15 +173,13 @@ fitPlan(ChainRun& run, StageReport& report)
   for (const PlanRoom& room : model.plan->rooms)
     for (const PlanElement& element : room.boundary.elements)
       report.points_out += element.inliers;
-  labelByPlan(run.rooms, run.owners, stages.refinement.getMaximumDistance(), model);
+  labelByPlan(rooms, owners, stages.refinement.getMaximumDistance(), model);
   return {};
 }
 
 std::string
-findOpenings(ChainRun& run, StageReport& report)
+ChainRun::findOpenings(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   const PointView raw = stages.floorplan_fitting.getRawPoints();
   const bool has_raw = raw.size() > 0;
   const PointView thinned(*model.cloud);
@@ -232,43 +222,39 @@ labelledCloud(const StructureModel& model, const pcl::Indices& points)
 } // namespace
 
 std::string
-refine(ChainRun& run, StageReport& report)
+ChainRun::refine(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   const std::vector<pcl::Indices> points =
       pointsByRoom(model, stages.room_segmentation.getBuilding().rooms.size());
   std::string problem = "no labelled point lies on the floor plan";
   for (const PlanRoom& room : model.plan->rooms) {
-    run.refined.emplace_back(new StructureModel::StructureCloud);
+    refined.emplace_back(new StructureModel::StructureCloud);
     stages.refinement.setInputCloud(labelledCloud(model, points[room.id]));
     stages.refinement.setFloorplan(planOf(room));
-    stages.refinement.filter(*run.refined.back());
+    stages.refinement.filter(*refined.back());
     if (!stages.refinement.getErrorMessage().empty()) // a room without points is empty
       problem = stages.refinement.getErrorMessage();
-    report.points_out += run.refined.back()->size();
+    report.points_out += refined.back()->size();
   }
   stages.refinement.setFloorplan(model.plan);
   return report.points_out > 0 ? std::string() : problem;
 }
 
 std::string
-repair(ChainRun& run, StageReport& report)
+ChainRun::repair(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   const double size = stages.hole_repair.getGridSize();
   if (const std::string excess =
           size > 0 ? surfaceCellsProblem(*model.plan, size) : std::string();
       !excess.empty())
     return excess;
-  for (std::size_t r = 0; r < run.refined.size(); ++r) {
-    if (run.refined[r]->empty())
+  for (std::size_t r = 0; r < refined.size(); ++r) {
+    if (refined[r]->empty())
       continue;
     StructureModel::StructureCloud whole;
-    stages.hole_repair.setInputCloud(run.refined[r]);
+    stages.hole_repair.setInputCloud(refined[r]);
     stages.hole_repair.setFloorplan(planOf(model.plan->rooms[r]));
-    run.refined[r].reset(); // points kept twice would be most of the memory
+    refined[r].reset(); // points kept twice would be most of the memory
     stages.hole_repair.filter(whole);
     if (!stages.hole_repair.getErrorMessage().empty())
       return stages.hole_repair.getErrorMessage();
@@ -281,10 +267,8 @@ repair(ChainRun& run, StageReport& report)
 }
 
 std::string
-extrude(ChainRun& run, StageReport& report)
+ChainRun::extrude(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   stages.extrusion.setFloorplan(model.plan);
   pcl::PolygonMesh unused;
   stages.extrusion.reconstruct(unused);
@@ -300,10 +284,8 @@ extrude(ChainRun& run, StageReport& report)
 }
 
 std::string
-makeMesh(ChainRun& run, StageReport& report)
+ChainRun::makeMesh(StageReport& report)
 {
-  ChainStages& stages = run.stages;
-  StructureModel& model = run.model;
   stages.poisson.setInputCloud(model.structure);
   const bool is_made = stages.poisson.makeMesh();
   giveFreedMemoryBack();

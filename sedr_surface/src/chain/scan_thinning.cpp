@@ -6,7 +6,7 @@
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
-#include <pcl/sedr_surface/structure_chain.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <algorithm>
 #include <limits>

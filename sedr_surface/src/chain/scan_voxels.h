@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_surface/structure_chain.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <array>
 #include <cstddef>

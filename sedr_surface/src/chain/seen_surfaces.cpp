@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seen_surfaces.h"
 
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
 #include "sedr_segmentation/src/curves/place_sums.h"
 #include "sedr_segmentation/src/curves/plan_curve.h"

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/structure_chain.h>
-
 #include "../mesh/mesh_repair.h"
 #include "chain_stages.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/scan/missing_surfaces.h"
 #include "sedr_segmentation/src/scan/scan_up.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
-#include "structure_model.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <chrono>
 #include <cmath>
 #include <numeric>
 
 namespace pcl::sedr {
-
 namespace {
 
 /** @brief Returns the centre of the bounding box of the finite points. */
@@ -230,22 +230,23 @@ StructureChain::runStages()
   ChainRun run{stages_, model_, seems_in_feet_ && !known_.unit_is_known};
   const auto runOn = [&](const char* name, std::size_t points_in, auto stage) {
     return runStage(name, points_in,
-                    [&](StageReport& report) { return stage(run, report); });
+                    [&](StageReport& report) { return (run.*stage)(report); });
   };
   const std::size_t n = model_.cloud->size();
   const bool is_found =
-      runOn("RoomSegmentation", n, partRooms) &&
-      runOn("HorizontalPlaneDetection", n, findPlanes) &&
-      runOn("CeilingBoundaryWallGrowing", n, findWalls) &&
-      runOn("FloorplanFitting", n, fitPlan) && checkUnit() &&
-      runOn("OpeningDetection", n, findOpenings) &&
-      runOn("StructureRefinement", n, refine) &&
-      runOn("VerticalHoleRepair", model_.reports.back().points_out, repair);
+      runOn("RoomSegmentation", n, &ChainRun::partRooms) &&
+      runOn("HorizontalPlaneDetection", n, &ChainRun::findPlanes) &&
+      runOn("CeilingBoundaryWallGrowing", n, &ChainRun::findWalls) &&
+      runOn("FloorplanFitting", n, &ChainRun::fitPlan) && checkUnit() &&
+      runOn("OpeningDetection", n, &ChainRun::findOpenings) &&
+      runOn("StructureRefinement", n, &ChainRun::refine) &&
+      runOn("VerticalHoleRepair", model_.reports.back().points_out, &ChainRun::repair);
   if (getGridSize() > size)
     enlarged_from_ = size;
   model_.coverage = coverageOf(stages_.room_segmentation.getBuilding(), *model_.plan);
   moveBack(model_);
-  return is_found && runOn("FloorplanExtrusion", model_.structure->size(), extrude);
+  return is_found &&
+         runOn("FloorplanExtrusion", model_.structure->size(), &ChainRun::extrude);
 }
 
 bool
@@ -253,7 +254,7 @@ StructureChain::makeMesh()
 {
   ChainRun run{stages_, model_};
   return runStage("StructuralPoisson", model_.structure->size(),
-                  [&](StageReport& report) { return sedr::makeMesh(run, report); });
+                  [&](StageReport& report) { return run.makeMesh(report); });
 }
 
 TriangleMesh
@@ -266,3 +267,5 @@ StructureChain::meshInScanFrame() const
 }
 
 } // namespace pcl::sedr
+
+PCL_INSTANTIATE(IndoorStructureReconstruction, SEDR_POINT_TYPES)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "structure_model.h"
+#include "chain_stages.h"
 
 #include "../mesh/mesh_repair.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_tiles.h"
+#include "seen_surfaces.h"
 
 #include <algorithm>
 #include <cmath>

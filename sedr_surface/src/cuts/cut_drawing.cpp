@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cut_drawing.h"
 
-#include "../dxf/floorplan_dxf.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "../drawing/plan_drawing.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>

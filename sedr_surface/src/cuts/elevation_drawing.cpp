@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../drawing/label_texts.h"
-#include "../overhead/line_parts.h"
+#include "../drawing/plan_drawing.h"
+#include "../overhead/ceiling_faces.h"
 #include "cut_drawing.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
 #include <array>

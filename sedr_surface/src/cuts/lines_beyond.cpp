@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lines_beyond.h"
+#include "cut_drawing.h"
 
 #include "../mesh/mesh_outlines.h"
-#include "sedr_filters/src/plan/plan_arcs.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../drawing/label_texts.h"
-#include "../sheet/text_spot.h"
+#include "../drawing/plan_drawing.h"
+#include "../sheet/text_places.h"
 #include "../walls/wall_band.h"
 #include "cut_drawing.h"
-#include "lines_beyond.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
 #include <utility>

@@ -5,7 +5,7 @@
 #include "../walls/wall_band.h"
 #include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_texts.h"
+#include "plan_drawing.h"
 
-#include "label_texts.h"
-
-#include "../sheet/text_spot.h"
+#include "../sheet/text_places.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
-#include "sedr_filters/src/plan/level_planes.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>

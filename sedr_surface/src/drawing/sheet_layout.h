@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "../sheet/sheet.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
 #include <Eigen/Geometry>
+
+#include <string>
 
 namespace pcl::sedr {
 
@@ -74,5 +76,23 @@ SheetLayout layoutOf(const Floorplan& plan, const DrawingSettings& settings);
 SheetLayout layoutOf(const Eigen::AlignedBox2d& bounds,
                      const Eigen::AlignedBox2d& space,
                      const DrawingSettings& settings);
+
+/** @brief What the title block of a drawing tells beside its settings. */
+struct TitleTexts {
+  std::string usual_title; ///< if none is given
+  std::string part_caption;
+  std::string part; ///< storey or section
+  std::string summary_caption;
+  std::string summary;
+  std::string notes;
+  bool has_north = true;
+};
+
+/** @brief Adds the frame of the sheet and the strip at its foot: title, project,
+ * client, part, scale and bar, north arrow, and fields to be filled in by hand. */
+void addTitleBlock(Sheet& sheet,
+                   const SheetLayout& layout,
+                   const DrawingSettings& settings,
+                   const TitleTexts& texts);
 
 } // namespace pcl::sedr

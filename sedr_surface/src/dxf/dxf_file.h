@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../walls/plan_area.h"
+#include "../walls/wall_band.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/floorplan.h>
@@ -32,6 +32,12 @@ public:
   DxfText& place(const Eigen::Vector2d& p, int x_code = 10)
   {
     return group(x_code, p.x()).group(x_code + 10, p.y()).group(x_code + 20, 0.0);
+  }
+  DxfText& zeros(std::initializer_list<int> codes)
+  {
+    for (const int code : codes)
+      group(code, 0.0);
+    return *this;
   }
   DxfText& append(const DxfText& other)
   {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "floorplan_dxf.h"
+#include "../drawing/plan_drawing.h"
 #include "../drawing/plan_layers.h"
-#include "../drawing/title_block.h"
+#include "../drawing/sheet_layout.h"
 #include "dxf_file.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 

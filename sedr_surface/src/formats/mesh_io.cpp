@@ -1,22 +1,213 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "append_bytes.h"
-#include "ply_reader.h"
-#include "sedr_filters/src/base/labels.h"
-
 #include <pcl/sedr_surface/mesh_io.h>
 
+#include "append_bytes.h"
+#include "sedr_filters/src/base/field_access.h"
+#include "sedr_filters/src/base/labels.h"
+#include "sedr_filters/src/base/ply_header.h"
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
-#include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
-
 namespace {
+
+/** @brief Returns the column of a number or a list; -1 if there is none. */
+int
+columnOf(const PlyElement& element,
+         std::initializer_list<const char*> names,
+         bool is_list = false)
+{
+  for (std::size_t p = 0; p < element.properties.size(); ++p)
+    for (const char* name : names)
+      if (element.properties[p].name == name &&
+          (element.properties[p].count_type != 0) == is_list)
+        return static_cast<int>(p);
+  return -1;
+}
+
+/** @brief Reads a header and moves `at` behind it.
+ * @return an empty string or an error message, to follow the file's name */
+std::string
+readHeader(const std::string& content, PlyHeader& header, std::size_t& at)
+{
+  at = content.find('\n') + 1; // behind "ply"
+  for (std::size_t end; (end = content.find('\n', at)) != std::string::npos;) {
+    const std::string reason =
+        header.take(std::string_view(content).substr(at, end - at));
+    at = end + 1;
+    if (!reason.empty())
+      return "is no PLY that can be read: " + reason;
+    if (header.is_complete)
+      return {};
+  }
+  return "is truncated: its PLY header does not end";
+}
+
+/** @brief Values of a row. */
+struct Row {
+  std::vector<double> scalars;            ///< one per property; a list's length
+  std::vector<std::vector<double>> lists; ///< one per property
+};
+
+/** @brief Reads successive rows from text or bytes. */
+class RowReader {
+public:
+  RowReader(const std::string& content, std::size_t begin, const std::string& encoding)
+      : at_(content.data() + begin)
+      , last_(content.data() + content.size())
+      , is_text_(encoding == "ascii")
+      , is_swapped_(encoding == "binary_big_endian")
+  {}
+
+  bool read(const PlyElement& element, Row& row)
+  {
+    row.scalars.resize(element.properties.size());
+    row.lists.resize(element.properties.size());
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const auto& [unused, type, count_type] = element.properties[p];
+      double& scalar = row.scalars[p];
+      if (!readValue(count_type != 0 ? count_type : type, scalar))
+        return false;
+      if (count_type == 0)
+        continue;
+      if (!(scalar >= 0 && scalar < 1e6)) // no polygon has more corners
+        return false;
+      row.lists[p].resize(static_cast<std::size_t>(scalar));
+      for (double& value : row.lists[p])
+        if (!readValue(type, value))
+          return false;
+    }
+    return true;
+  }
+
+private:
+  bool readValue(std::uint8_t type, double& value)
+  {
+    if (is_text_) {
+      while (at_ != last_ && std::strchr(" \t\r\n+", *at_) != nullptr)
+        ++at_;
+      const auto result = std::from_chars(at_, last_, value);
+      at_ = result.ptr;
+      return result.ec == std::errc();
+    }
+    const std::size_t size = fieldSize(type);
+    if (static_cast<std::size_t>(last_ - at_) < size)
+      return false;
+    std::uint8_t bytes[sizeof(double)];
+    std::memcpy(bytes, at_, size);
+    at_ += size;
+    if (is_swapped_)
+      std::reverse(bytes, bytes + size);
+    value = readField(bytes, type);
+    return true;
+  }
+
+  const char* at_;
+  const char* last_;
+  bool is_text_;
+  bool is_swapped_;
+};
+
+/** @brief Calls `see(row, i)` for all rows of an element, until it gives a reason not
+ * to go on.
+ * @return an error message, to follow the file's name, or an empty string */
+template <typename SeeT>
+std::string
+forEachRow(RowReader& reader, const PlyElement& element, SeeT see)
+{
+  Row row;
+  std::string reason;
+  for (std::size_t i = 0; i < element.count && reason.empty(); ++i)
+    reason = reader.read(element, row)
+                 ? see(row, i)
+                 : "is truncated or damaged: " + std::to_string(i) + " of " +
+                       std::to_string(element.count) + " rows of '" + element.name +
+                       "' can be read";
+  return reason;
+}
+
+std::string
+readVertices(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
+{
+  const int columns[3] = {columnOf(element, {"x"}), columnOf(element, {"y"}),
+                          columnOf(element, {"z"})};
+  if (*std::min_element(columns, columns + 3) < 0)
+    return "has vertices without x, y and z";
+  return forEachRow(reader, element, [&](const Row& row, std::size_t) {
+    Eigen::Vector3d& vertex = mesh.vertices.emplace_back();
+    for (int k = 0; k < 3; ++k)
+      vertex[k] = row.scalars[static_cast<std::size_t>(columns[k])];
+    return std::string();
+  });
+}
+
+std::string
+readFaces(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
+{
+  const int corners = columnOf(element, {"vertex_indices", "vertex_index"}, true);
+  // In the order of TriangleMesh::attributes().
+  const int columns[] = {columnOf(element, {"label"}), columnOf(element, {"room"}),
+                         columnOf(element, {"element"})};
+  if (corners < 0)
+    return "has faces without a list of vertex indices";
+  std::vector<std::uint32_t> polygon;
+  return forEachRow(reader, element, [&](const Row& row, std::size_t i) -> std::string {
+    polygon.clear();
+    for (const double index : row.lists[static_cast<std::size_t>(corners)]) {
+      if (!(index >= 0 && index < static_cast<double>(mesh.vertices.size())))
+        return "is no mesh: face " + std::to_string(i) +
+               " uses a vertex out of range of the " +
+               std::to_string(mesh.vertices.size()) + " vertices";
+      polygon.push_back(static_cast<std::uint32_t>(index));
+    }
+    triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+    const auto attributes = mesh.attributes();
+    for (std::size_t k = 0; k < attributes.size(); ++k) {
+      if (columns[k] < 0)
+        continue;
+      const double value = row.scalars[static_cast<std::size_t>(columns[k])];
+      const bool is_number = value > 0 && value < 4294967296.;
+      attributes[k]->resize(mesh.triangles.size(),
+                            is_number ? static_cast<std::uint32_t>(value) : 0u);
+    }
+    return {};
+  });
+}
+
+/** @brief Reads the content of a PLY file into `mesh`.
+ * @return an empty string or an error message, to follow the file's name */
+std::string
+parsePly(const std::string& content, TriangleMesh& mesh)
+{
+  PlyHeader header;
+  std::size_t at = 0;
+  std::string reason = readHeader(content, header, at);
+  RowReader reader(content, at, header.format);
+  for (const PlyElement& element : header.elements) {
+    if (!reason.empty())
+      break;
+    if (element.name == "tristrips")
+      reason = "holds triangle strips, which are not read";
+    else if (element.name == "vertex")
+      reason = readVertices(reader, element, mesh);
+    else if (element.name == "face")
+      reason = readFaces(reader, element, mesh);
+    else
+      reason = forEachRow(reader, element,
+                          [](const Row&, std::size_t) { return std::string(); });
+  }
+  return reason;
+}
 
 /** @brief Returns a label or room per vertex: that with the largest area around it, the
  * smallest of equals; 0 for a vertex without triangles.
@@ -24,32 +215,17 @@ namespace {
 std::vector<std::uint32_t>
 vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
 {
-  struct Share {
-    std::uint32_t vertex;
-    std::uint32_t value;
-    double area;
-  };
-  std::vector<Share> shares;
-  shares.reserve(3 * values.size());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas; // of vertex, value
   for (std::size_t t = 0; t < values.size(); ++t)
     for (const std::uint32_t v : mesh.triangles[t])
-      shares.push_back({v, values[t], mesh.scaledNormal(t).norm()});
-  std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
-    return std::tie(a.vertex, a.value) < std::tie(b.vertex, b.value);
-  });
+      areas[{v, values[t]}] += mesh.scaledNormal(t).norm();
   std::vector<std::uint32_t> result(mesh.vertices.size(), 0);
   std::vector<double> largest(mesh.vertices.size(), -1);
-  for (auto first = shares.begin(); first != shares.end();) {
-    const auto [vertex, value, unused] = *first;
-    double area = 0;
-    for (; first != shares.end() && first->vertex == vertex && first->value == value;
-         ++first)
-      area += first->area;
-    if (area > largest[vertex]) {
-      largest[vertex] = area;
-      result[vertex] = value;
+  for (const auto& [of, area] : areas)
+    if (area > largest[of.first]) {
+      largest[of.first] = area;
+      result[of.first] = of.second;
     }
-  }
   return result;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ifc_document.h"
-
 #include "ifc_parts.h"
 
 #include <boost/uuid/name_generator_sha1.hpp>

@@ -76,17 +76,18 @@ rowOf(const IfcDocument& document, const WrittenWall& written)
               sources[static_cast<std::size_t>(wall.source)],
               wall.stretch.length(),
               written.top - written.bottom};
-  const auto volume = [&](const WallRuns& runs, const std::vector<WallCut>& cuts) {
-    return volumeOf(document.plan, wall, written.heights, runs, written.profile, cuts);
-  };
+  WallBody upright = written;
+  upright.runs = {};
   std::vector<WallCut> through;
   std::copy_if(written.cuts.begin(), written.cuts.end(), std::back_inserter(through),
                [](const WallCut& cut) { return !cut.is_recess; });
   row.gross_area = row.length * (written.heights.mean() - written.heights.surplus);
-  const double open = (volume({}, {}) - volume({}, through)) / wall.thickness;
+  const double open =
+      (upright.volume(document.plan, {}) - upright.volume(document.plan, through)) /
+      wall.thickness;
   row.net_area = std::max(row.gross_area - open, 0.0);
-  row.gross_volume = volume(written.runs, {});
-  row.net_volume = volume(written.runs, written.cuts);
+  row.gross_volume = written.volume(document.plan, {});
+  row.net_volume = written.volume(document.plan, written.cuts);
   row.measured = measuredShare(document.plan, wall);
   row.accuracy = accuracyOf(document.plan, wall);
   return row;
@@ -146,18 +147,16 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
 StepRef
 bodyOf(IfcDocument& document, const WrittenWall& written)
 {
-  const PlanWall& wall = written.wall;
-  const WallHeights& heights = written.heights;
   const PlanArea& profile = written.profile;
   TriangleMesh mesh;
-  if (!heights.isLevel() || !written.runs.areAlike())
-    mesh = meshOf(document.plan, wall, heights, written.runs, profile);
+  if (!written.heights.isLevel() || !written.runs.areAlike())
+    mesh = written.mesh(document.plan);
   // A plan that cannot be triangulated is swept, too.
   return document.bodyOf(
-      mesh.empty() ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
-                                               heights.highest() - heights.bottom,
-                                               written.runs.near)
-                   : document.shapes.faceSet(mesh),
+      mesh.empty()
+          ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
+                                      written.top - written.bottom, written.runs.near)
+          : document.shapes.faceSet(mesh),
       "wall");
 }
 
@@ -237,8 +236,9 @@ writeWalls(IfcDocument& document)
     const PlanWall& wall = site.wall;
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;
-    WrittenWall added{wall, faceName(plan, wall.face),
-                      document.rooms[wall.face.room].storey, site.frame};
+    WrittenWall added{{wall, site.frame, heights, runsOf(plan, wall), profileOf(site)},
+                      faceName(plan, wall.face),
+                      document.rooms[wall.face.room].storey};
     added.number = numberOf(plan, wall.face);
     const int part = ++parts[added.name];
     if (part > 1) {
@@ -247,10 +247,7 @@ writeWalls(IfcDocument& document)
     }
     added.bottom = heights.bottom;
     added.top = heights.highest();
-    added.heights = heights;
     added.is_external = isExternal(plan, wall);
-    added.runs = runsOf(plan, wall);
-    added.profile = profileOf(site);
     endAtBodies(document, site, added);
     if (isWhollyOpen(plan, added))
       continue;

@@ -2,7 +2,7 @@
 #include "level_slab.h"
 
 #include "../mesh/mesh_repair.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <map>

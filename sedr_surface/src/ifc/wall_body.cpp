@@ -2,10 +2,10 @@
 #include "wall_body.h"
 
 #include "../walls/wall_band.h"
-#include "ifc_shapes.h"
 #include "level_slab.h"
+#include "step_file.h"
 
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +18,10 @@ using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
 /** @brief Appends a line across a wall, in its frame.
  * @param along share of its length */
 void
-appendAcross(const Floorplan& plan, const PlanWall& wall, double along, Lines& lines)
+appendAcross(const Floorplan& plan, const WallBody& body, double along, Lines& lines)
 {
   constexpr double beyond = 0.01;
-  const WallFrame frame = frameOf(plan, wall);
+  const auto& [wall, frame, heights, runs, profile] = body;
   const auto [place, inward] = faceAt(
       elementOf(plan, wall.face), wall.stretch.from + along * wall.stretch.length());
   lines.emplace_back(frame.toLocal(place + beyond * inward),
@@ -30,45 +30,40 @@ appendAcross(const Floorplan& plan, const PlanWall& wall, double along, Lines& l
 
 /** @brief Returns the height of a wall above its bottom at a place in its frame. */
 double
-heightAt(const Floorplan& plan,
-         const PlanWall& wall,
-         const WallHeights& heights,
-         const Eigen::Vector2d& p)
+heightAt(const Floorplan& plan, const WallBody& body, const Eigen::Vector2d& p)
 {
   constexpr double min_height = 0.001;
-  const PlanElement& element = elementOf(plan, wall.face);
-  const double s = element.isArc() ? element.project(frameOf(plan, wall).toPlan(p)) -
-                                         wall.stretch.from
-                                   : p.x(); // stretches may go on beyond their element
-  return std::max(heights.topAt(s / wall.stretch.length()) - heights.bottom,
+  const Stretch& stretch = body.wall.stretch;
+  const PlanElement& element = elementOf(plan, body.wall.face);
+  const double s = element.isArc()
+                       ? element.project(body.frame.toPlan(p)) - stretch.from
+                       : p.x(); // stretches may go on beyond their element
+  return std::max(body.heights.topAt(s / stretch.length()) - body.heights.bottom,
                   min_height);
 }
 
 /** @brief Returns the lines in plan between which the heights of a wall and its cuts
  * are linear: where its top bends or meets those of cuts, and the outlines of cuts. */
 Lines
-linesOf(const Floorplan& plan,
-        const PlanWall& wall,
-        const WallHeights& heights,
-        const std::vector<WallCut>& cuts)
+linesOf(const Floorplan& plan, const WallBody& body, const std::vector<WallCut>& cuts)
 {
   Lines lines;
-  for (const WallHeights::Top& top : heights.tops) // level beyond the first and last
-    appendAcross(plan, wall, top.along, lines);
+  const auto& tops = body.heights.tops;
+  for (const WallHeights::Top& top : tops) // level beyond the first and last
+    appendAcross(plan, body, top.along, lines);
   for (const WallCut& cut : cuts) {
     const std::vector<Eigen::Vector2d> corners =
         cut.plan.polygon(SolidParameters().chord_tolerance);
     for (std::size_t k = 0; k < corners.size(); ++k)
       lines.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
-    const Eigen::Vector2d middle =
-        frameOf(plan, wall).toPlan(boundsOf(cut.plan).center());
+    const Eigen::Vector2d middle = body.frame.toPlan(boundsOf(cut.plan).center());
     for (const PlanSlab* slab : {&cut.bottom, &cut.top})
-      for (std::size_t k = 1; k < heights.tops.size(); ++k) {
-        const auto& [from, low] = heights.tops[k - 1];
-        const auto& [to, high] = heights.tops[k];
+      for (std::size_t k = 1; k < tops.size(); ++k) {
+        const auto& [from, low] = tops[k - 1];
+        const auto& [to, high] = tops[k];
         const double z = slab->heightAt(middle);
         if ((z - low) * (z - high) < 0)
-          appendAcross(plan, wall, from + (z - low) / (high - low) * (to - from),
+          appendAcross(plan, body, from + (z - low) / (high - low) * (to - from),
                        lines);
       }
   }
@@ -105,15 +100,11 @@ runsOf(const Floorplan& plan, const PlanWall& wall)
 }
 
 TriangleMesh
-meshOf(const Floorplan& plan,
-       const PlanWall& wall,
-       const WallHeights& heights,
-       const WallRuns& runs,
-       const PlanArea& profile)
+WallBody::mesh(const Floorplan& plan) const
 {
-  const TriangleMesh foot = triangulated(profile, linesOf(plan, wall, heights, {}));
+  const TriangleMesh foot = triangulated(profile, linesOf(plan, *this, {}));
   TriangleMesh mesh = prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
-    return heightAt(plan, wall, heights, p.head<2>());
+    return heightAt(plan, *this, p.head<2>());
   });
   for (Eigen::Vector3d& p : mesh.vertices) {
     const double across = std::clamp(-p.y() / wall.thickness, 0.0, 1.0);
@@ -123,14 +114,8 @@ meshOf(const Floorplan& plan,
 }
 
 double
-volumeOf(const Floorplan& plan,
-         const PlanWall& wall,
-         const WallHeights& heights,
-         const WallRuns& runs,
-         const PlanArea& profile,
-         const std::vector<WallCut>& cuts)
+WallBody::volume(const Floorplan& plan, const std::vector<WallCut>& cuts) const
 {
-  const WallFrame frame = frameOf(plan, wall);
   const double taper = (runs.far - runs.near) / wall.thickness;
   const auto solidBetween = [&](double low, double high) {
     return std::max(high - low, 0.0) * (1 - taper * (low + high) / 2);
@@ -143,7 +128,7 @@ volumeOf(const Floorplan& plan,
       spans.emplace_back(cut->bottom.heightAt(frame.toPlan(p)) - heights.bottom,
                          cut->top.heightAt(frame.toPlan(p)) - heights.bottom);
     std::sort(spans.begin(), spans.end());
-    const double top = heightAt(plan, wall, heights, p);
+    const double top = heightAt(plan, *this, p);
     double end = 0;
     double solid = 0;
     for (const auto& [low, high] : spans) {
@@ -152,7 +137,7 @@ volumeOf(const Floorplan& plan,
     }
     return solid + solidBetween(end, top);
   };
-  const TriangleMesh foot = triangulated(profile, linesOf(plan, wall, heights, cuts));
+  const TriangleMesh foot = triangulated(profile, linesOf(plan, *this, cuts));
   double volume = 0;
   for (std::size_t t = 0; t < foot.triangles.size(); ++t) {
     const Eigen::Vector3d middle =

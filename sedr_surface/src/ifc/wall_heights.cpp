@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_heights.h"
+#include "wall_body.h"
 
 #include "../walls/wall_band.h"
 
-#include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/base/quantiles.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

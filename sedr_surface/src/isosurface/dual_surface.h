@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../solver/band_grid.h"
 #include "../solver/poisson_level.h"
 #include "../solver/surface_samples.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_filters/src/base/parallel_for.h"
-#include <pcl/sedr_surface/mesh_distance.h>
+#include "sedr_filters/src/base/parallel.h"
+#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <algorithm>
 #include <cmath>

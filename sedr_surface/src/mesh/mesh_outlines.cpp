@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_outlines.h"
 
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "mesh_repair.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_segmentation/src/curves/contour.h"
 
 #include <algorithm>
@@ -75,17 +76,15 @@ outlinesOf(const TriangleMesh& mesh,
            const std::vector<std::size_t>& triangles,
            const std::function<Eigen::Vector2d(const Eigen::Vector3d&)>& place)
 {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  std::vector<Triangle> faces;
   for (const std::size_t t : triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      ++edges[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}];
+    faces.push_back(mesh.triangles[t]);
   std::multimap<std::uint32_t, std::uint32_t> next;
   std::map<std::uint32_t, Eigen::Vector2d> places;
-  for (const auto& [edge, count] : edges)
-    if (edges.find({edge.second, edge.first}) == edges.end()) {
-      next.insert(edge);
-      places[edge.first] = place(mesh.vertices[edge.first]);
-    }
+  for (const MeshEdge& edge : rimOf(faces)) {
+    next.insert(edge);
+    places[edge.first] = place(mesh.vertices[edge.first]);
+  }
   return loopsOf(std::move(next), places);
 }
 

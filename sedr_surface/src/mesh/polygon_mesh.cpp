@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../triangulation/constrained_triangulation.h"
+#include "../triangulation/triangulation.h"
 #include "sedr_filters/src/base/field_access.h"
+
 #include <pcl/PolygonMesh.h>
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
+#include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
+#include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_surface/impl/mesh_reconstruction.hpp>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <map>
@@ -146,3 +150,5 @@ toPolygonMesh(const TriangleMesh& mesh, pcl::PolygonMesh& polygon_mesh)
 }
 
 } // namespace pcl::sedr
+
+PCL_INSTANTIATE(MeshReconstruction, SEDR_POINT_TYPES)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface_lines.h"
+#include "ceiling_faces.h"
 
 #include "sedr_filters/src/base/number_text.h"
 
 #include "sedr_filters/src/grids/disjoint_sets.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/curves/contour.h"
 

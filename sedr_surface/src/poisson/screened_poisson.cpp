@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../isosurface/dual_surface.h"
-#include "../solver/poisson_hierarchy.h"
+#include "../solver/poisson_level.h"
 
 #include "screened_poisson.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_surface/certainty.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <algorithm>
 #include <cmath>

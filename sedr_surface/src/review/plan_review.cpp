@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unlikely_places.h"
 
-#include "../sheet/text_spot.h"
+#include "../sheet/text_places.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/plan_measures.h>

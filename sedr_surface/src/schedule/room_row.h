@@ -3,7 +3,7 @@
 
 #include "../overhead/ceiling_faces.h"
 
-#include <pcl/sedr_surface/schedules.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <string>
 

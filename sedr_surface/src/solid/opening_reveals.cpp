@@ -2,7 +2,7 @@
 #include "opening_reveals.h"
 
 #include "sedr_filters/src/base/plane_fit.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

@@ -37,15 +37,4 @@ struct RevealedPlan {
   std::string named(std::string text) const;
 };
 
-/** @brief Removes the faces at which the two reveals of an opening end, and joins their
- * rims, so that a door joins the solids of two rooms. Does nothing if that would not
- * leave a closed manifold.
- * @param elements with names from RevealedPlan::named()
- * @param[in,out] solids of all rooms
- * @param[in,out] warnings the openings that stay closed */
-void joinReveals(const RevealedPlan& plan,
-                 const std::vector<SolidElement>& elements,
-                 TriangleMesh& solids,
-                 std::vector<PlanWarning>& warnings);
-
 } // namespace pcl::sedr

@@ -1,43 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_cells.h"
+#include "plan_subdivision.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <string>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief Pieces of a room with a smaller area are removed, square metres. */
-constexpr double crumb = 0.01;
-
 /** @brief A triangulated room plan with a region per triangle. Regions that cannot be
  * built are replaced. */
-class PlanCells : private ClassifiedCells {
+class PlanCells {
 public:
-  using ClassifiedCells::ClassifiedCells;
+  /** @brief Finds the regions by the loops around each triangle of a plan, which must
+   * outlive this object. */
+  explicit PlanCells(const TriangulatedPlan& plan)
+      : plan_(plan)
+  {
+    using Winding = std::vector<int>;
+    const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
+      for (const SegmentUse& use : plan_.usesAt(t, side)) {
+        const bool is_left =
+            use.forward == (plan_.corner(t, side) < plan_.corner(t, side + 1));
+        if (plan_.sources[use.segment].loop != SegmentSource::no_loop)
+          beyond[plan_.sources[use.segment].loop] += is_left ? 1 : -1;
+      }
+      return beyond;
+    };
+    for (const Winding& winding :
+         spread(plan.triangulation, Winding(plan.layers.loops.size(), 0), inside))
+      region_.push_back(plan.layers.regionOf(winding));
+  }
 
   /** @brief Merges slivers into neighbouring parts. */
   void mergeSlivers()
   {
     // One by one, the narrowest first, since a merge widens the other part.
     for (;;) {
-      std::vector<Part> slivers = regions();
-      slivers.erase(std::remove_if(slivers.begin(), slivers.end(),
-                                   [](const Part& part) {
-                                     return part.is_outside ||
-                                            widthOf(part) >= part.tolerance;
-                                   }),
-                    slivers.end());
-      if (slivers.empty())
+      const std::vector<Part> parts = regions();
+      const Part* narrowest = nullptr;
+      for (const Part& part : parts)
+        if (!part.is_outside && widthOf(part) < part.tolerance &&
+            (!narrowest || widthOf(part) < widthOf(*narrowest)))
+          narrowest = &part;
+      if (!narrowest)
         return;
-      const Part& narrowest = *std::min_element(
-          slivers.begin(), slivers.end(),
-          [](const Part& a, const Part& b) { return widthOf(a) < widthOf(b); });
-      assign(narrowest, heirOf(narrowest));
+      assign(*narrowest, heirOf(*narrowest));
     }
   }
 
@@ -81,9 +91,15 @@ public:
    * larger ones. */
   void checkPieces(std::vector<PlanWarning>& warnings)
   {
-    std::vector<Part> pieces = roomPieces();
+    std::vector<Part> pieces = partsOf([](const PlanRegion& a, const PlanRegion& b) {
+      return a.isRoom() == b.isRoom(); // regardless of regions
+    });
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                                [](const Part& part) { return !part.region.isRoom(); }),
+                 pieces.end());
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Part& a, const Part& b) { return a.area > b.area; });
+    constexpr double crumb = 0.01; // square metres
     while (pieces.size() > 1 && pieces.back().area < crumb) {
       assign(pieces.back(), PlanRegion());
       pieces.pop_back();
@@ -110,9 +126,10 @@ public:
     Part part;
     std::map<PlanRegion, double> areas;
     for (std::uint32_t t = 0; t < region_.size(); ++t)
-      if (isIn(corner(t, 0)) && isIn(corner(t, 1)) && isIn(corner(t, 2))) {
+      if (isIn(plan_.corner(t, 0)) && isIn(plan_.corner(t, 1)) &&
+          isIn(plan_.corner(t, 2))) {
         part.triangles.push_back(t);
-        areas[region_[t]] += areaOf(t);
+        areas[region_[t]] += plan_.areaOf(t);
       }
     if (!areas.empty())
       assign(part, std::max_element(
@@ -128,13 +145,16 @@ public:
     for (std::uint32_t t = 0; t < region_.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         const PlanRegion beyond = across(t, i);
-        const Arrangement::Edge* edge = edgeAt(t, i);
-        const bool is_first = plan_.triangulation.neighbours[t][i] == none ||
-                              t < plan_.triangulation.neighbours[t][i];
-        if (edge == nullptr || beyond == region_[t] || !is_first)
+        const std::vector<SegmentUse>& uses = plan_.usesAt(t, i);
+        if (uses.empty() || beyond == region_[t] ||
+            plan_.triangulation.neighbours[t][i] < t) // seen from there
           continue;
-        SubdivisionEdge e{corner(t, i), corner(t, i + 1), region_[t], beyond, {}};
-        for (const SegmentUse& use : edge->uses)
+        SubdivisionEdge e{plan_.corner(t, i),
+                          plan_.corner(t, i + 1),
+                          region_[t],
+                          beyond,
+                          {}};
+        for (const SegmentUse& use : uses)
           if (plan_.sources[use.segment].loop != SegmentSource::no_loop)
             e.elements.push_back(plan_.sources[use.segment].element);
         std::sort(e.elements.begin(), e.elements.end());
@@ -153,23 +173,24 @@ public:
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t n = plan_.triangulation.neighbours[t][i];
         const int slab = region_[t].ceiling;
-        const Arrangement::Edge* edge = edgeAt(t, i);
-        if (n == none || n < t || edge == nullptr || slab == PlanRegion::nothing ||
+        if (n == none || n < t || slab == PlanRegion::nothing ||
             region_[n] != region_[t])
           continue;
+        const std::vector<SegmentUse>& uses = plan_.usesAt(t, i);
         const std::size_t element =
             plan_.layers.slabs[static_cast<std::size_t>(slab)].element;
-        if (std::any_of(
-                edge->uses.begin(), edge->uses.end(), [&](const SegmentUse& use) {
-                  return plan_.sources[use.segment].loop == SegmentSource::no_loop &&
-                         plan_.sources[use.segment].element == element;
-                }))
-          creases.push_back({corner(t, i), corner(t, i + 1), slab});
+        if (std::any_of(uses.begin(), uses.end(), [&](const SegmentUse& use) {
+              return plan_.sources[use.segment].loop == SegmentSource::no_loop &&
+                     plan_.sources[use.segment].element == element;
+            }))
+          creases.push_back({plan_.corner(t, i), plan_.corner(t, i + 1), slab});
       }
     return creases;
   }
 
 private:
+  static constexpr std::uint32_t none = PlanTriangulation::none;
+
   /** @brief Connected triangles of one region. */
   struct Part {
     PlanRegion region;
@@ -180,6 +201,17 @@ private:
     bool is_outside = false;             ///< adjacent to the hull, in no room
     std::map<PlanRegion, double> beside; ///< shared length with other regions
   };
+
+  /** @brief Returns the region beyond a side of a triangle. */
+  PlanRegion across(std::uint32_t t, std::size_t side) const
+  {
+    const std::uint32_t n = plan_.triangulation.neighbours[t][side];
+    return n == none ? PlanRegion() : region_[n];
+  }
+
+  /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
+   * on a coarse grid. */
+  double minClearance() const { return 20 * solidSeparation(plan_.grid); }
 
   /** @brief Returns sets of triangles connected by sides with `alike(t, u)`. */
   template <typename Alike>
@@ -196,7 +228,7 @@ private:
       is_taken[first] = true;
       for (std::size_t k = 0; k < part.triangles.size(); ++k) {
         const std::uint32_t t = part.triangles[k];
-        part.area += areaOf(t);
+        part.area += plan_.areaOf(t);
         for (std::size_t i = 0; i < 3; ++i) {
           const std::uint32_t n = plan_.triangulation.neighbours[t][i];
           if (n == none || !alike(region_[t], region_[n]))
@@ -217,31 +249,19 @@ private:
     return partsOf([](const PlanRegion& a, const PlanRegion& b) { return a == b; });
   }
 
-  /** @brief Returns the connected pieces of the room, regardless of regions. */
-  std::vector<Part> roomPieces() const
-  {
-    auto pieces = partsOf([](const PlanRegion& a, const PlanRegion& b) {
-      return a.isRoom() == b.isRoom();
-    });
-    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                                [](const Part& part) { return !part.region.isRoom(); }),
-                 pieces.end());
-    return pieces;
-  }
-
   void measure(Part& part, std::uint32_t t, std::size_t side) const
   {
     const double length =
-        plan_.grid.unit() * distance(plan_.arrangement.vertices[corner(t, side)],
-                                     plan_.arrangement.vertices[corner(t, side + 1)]);
+        plan_.grid.unit() *
+        distance(plan_.arrangement.vertices[plan_.corner(t, side)],
+                 plan_.arrangement.vertices[plan_.corner(t, side + 1)]);
     part.perimeter += length;
     part.beside[across(t, side)] += length;
     if (plan_.triangulation.neighbours[t][side] == none)
       part.is_outside = !part.region.isRoom();
-    if (const Arrangement::Edge* edge = edgeAt(t, side))
-      for (const SegmentUse& use : edge->uses)
-        part.tolerance = std::max(part.tolerance,
-                                  plan_.tolerance[plan_.sources[use.segment].element]);
+    for (const SegmentUse& use : plan_.usesAt(t, side))
+      part.tolerance =
+          std::max(part.tolerance, plan_.tolerance[plan_.sources[use.segment].element]);
   }
 
   /** @brief Returns the region that absorbs a sliver: the room region with the longest
@@ -278,7 +298,7 @@ private:
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const std::uint32_t t : part.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        sum += plan_.grid.toPlan(plan_.arrangement.vertices[corner(t, i)]);
+        sum += plan_.grid.toPlan(plan_.arrangement.vertices[plan_.corner(t, i)]);
     return sum / (3 * static_cast<double>(part.triangles.size()));
   }
 
@@ -288,53 +308,53 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for (const std::uint32_t t : part.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        least = std::min(least, heightOf(part.region.ceiling, corner(t, i)) -
-                                    heightOf(part.region.floor, corner(t, i)));
+        least =
+            std::min(least, plan_.heightOf(part.region.ceiling, plan_.corner(t, i)) -
+                                plan_.heightOf(part.region.floor, plan_.corner(t, i)));
     return least;
+  }
+
+  /** @brief Returns whether `holds(region, vertex)` is true at both ends of a side of a
+   * part for the part of the room beyond it. */
+  template <typename Holds>
+  bool holdsBeside(const Part& part, Holds holds) const
+  {
+    for (const std::uint32_t t : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const PlanRegion other = across(t, i); other.isRoom() &&
+                                                   holds(other, plan_.corner(t, i)) &&
+                                                   holds(other, plan_.corner(t, i + 1)))
+          return true;
+    return false;
   }
 
   /** @brief Returns whether a part's floor meets a neighbour's ceiling along an edge,
    * or vice versa. */
   bool touchesBeside(const Part& part) const
   {
-    for (const std::uint32_t t : part.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const PlanRegion other = across(t, i);
-        const auto meet = [&](int slab, int other_slab) {
-          const auto isNear = [&](std::uint32_t v) {
-            return std::abs(heightOf(slab, v) - heightOf(other_slab, v)) <
-                   minClearance();
-          };
-          return isNear(corner(t, i)) && isNear(corner(t, i + 1));
-        };
-        if (other.isRoom() && (meet(part.region.floor, other.ceiling) ||
-                               (plan_.layers.isNiche(part.region) &&
-                                meet(part.region.ceiling, other.floor))))
-          return true;
-      }
-    return false;
+    const auto meets = [&](int PlanRegion::*slab, int PlanRegion::*beyond) {
+      return holdsBeside(part, [&](const PlanRegion& other, std::uint32_t v) {
+        return std::abs(plan_.heightOf(part.region.*slab, v) -
+                        plan_.heightOf(other.*beyond, v)) < minClearance();
+      });
+    };
+    return meets(&PlanRegion::floor, &PlanRegion::ceiling) ||
+           (plan_.layers.isNiche(part.region) &&
+            meets(&PlanRegion::ceiling, &PlanRegion::floor));
   }
 
   /** @brief Returns whether a part is open to a neighbouring part of the room. */
   bool isOpen(const Part& part) const
   {
-    for (const std::uint32_t t : part.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const PlanRegion other = across(t, i);
-        // An earlier niche is open itself, or is left out before the next round.
-        if (!other.isRoom() ||
-            (plan_.layers.isNiche(other) && other.floor >= part.region.floor))
-          continue;
-        const auto overlapAt = [&](std::uint32_t v) {
-          return std::min(heightOf(part.region.ceiling, v),
-                          heightOf(other.ceiling, v)) -
-                 std::max(heightOf(part.region.floor, v), heightOf(other.floor, v));
-        };
-        if (overlapAt(corner(t, i)) > minClearance() &&
-            overlapAt(corner(t, i + 1)) > minClearance())
-          return true;
-      }
-    return false;
+    return holdsBeside(part, [&](const PlanRegion& other, std::uint32_t v) {
+      // An earlier niche is open itself, or is left out before the next round.
+      return (!plan_.layers.isNiche(other) || other.floor < part.region.floor) &&
+             std::min(plan_.heightOf(part.region.ceiling, v),
+                      plan_.heightOf(other.ceiling, v)) -
+                     std::max(plan_.heightOf(part.region.floor, v),
+                              plan_.heightOf(other.floor, v)) >
+                 minClearance();
+    });
   }
 
   /** @brief Returns why a part cannot be built, or empty. */
@@ -353,6 +373,9 @@ private:
       return "floor and ceiling would meet beside it";
     return {};
   }
+
+  const TriangulatedPlan& plan_;
+  std::vector<PlanRegion> region_; ///< per triangle
 };
 
 } // namespace

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_cells.h"
-#include "plan_facets.h"
+#include "plan_subdivision.h"
 #include "room_layers.h"
-#include "slab_creases.h"
-#include "vertex_levels.h"
 
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../triangulation/triangulation.h"
+#include "room_layers.h"
+
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
 
-#include "../triangulation/plan_grid.h"
-#include "room_layers.h"
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -102,5 +106,140 @@ void dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& subdivis
 /** @brief Splits edges where the slabs of their two sides cross: the riser faces one
  * way before and the other way behind. */
 void splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& subdivision);
+
+/** @brief A loop of a plan as straight facets. */
+struct FacetChain {
+  std::vector<Eigen::Vector2d> corners; ///< metres; the last is followed by the first
+  std::vector<std::size_t> elements;    ///< SolidElement of the facet after each corner
+};
+
+/** @brief Returns the snap distance, metres: twice the residual of the plan's element,
+ * 2 mm to 5 cm. */
+double snapTolerance(const PlanElement& element);
+
+/** @brief Converts the loops of a room to facets, one chain per loop, arcs within
+ * `chord_tolerance` metres.
+ *
+ * Noise makes loops of a fitted plan miss shared edges and corners. Each loop is fitted
+ * to the previous ones, so that walls stay in place. A corner snaps to a corner within
+ * tolerance, else to an edge; an edge is led through corners beside it. The tolerance
+ * is the larger one of the two elements. A chain that shrinks below three corners
+ * becomes empty. O(n^2) in the facets, a box each unless near. */
+std::vector<FacetChain> facetLoops(const RoomLayers& layers, double chord_tolerance);
+
+/** @brief A straight line in plan along which a curved slab is folded. */
+using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+
+/** @brief Returns the lines in plan that divide a curve into flat pieces within a
+ * tolerance: parallels to the axis of a cylinder, rings and rays of a dome, the grid of
+ * a relief.
+ * @param bounds of the curved area in plan, metres, not empty; creases reach slightly
+ * farther
+ * @param tolerance metres, above 0 */
+std::vector<Crease>
+creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance);
+
+/** @brief Heights of the floors and ceilings that meet at a vertex of a subdivision,
+ * grid units. Heights that cross there or differ by less than solidSeparation() are
+ * merged. */
+class VertexLevels {
+public:
+  /** @param spokes of the vertex */
+  VertexLevels(const RoomLayers& layers,
+               const PlanSubdivision& subdivision,
+               std::uint32_t vertex,
+               const std::vector<Spoke>& spokes);
+
+  /** @brief Returns the level of a slab at the vertex; `otherwise` if no region there
+   * has the slab. */
+  std::int64_t levelOf(int slab, std::int64_t otherwise = 0) const;
+
+  /** @brief Returns the distinct levels of slabs that end here, increasing. */
+  const std::vector<std::int64_t>& levels() const { return levels_; }
+
+private:
+  /** @brief Merges the levels of two slabs and all between them. */
+  void join(int slab, int other);
+
+  std::vector<std::pair<int, std::int64_t>> of_slab_;
+  std::vector<std::int64_t> levels_;
+};
+
+/** @brief Returns the levels at every vertex. */
+std::vector<VertexLevels> levelsOf(const RoomLayers& layers,
+                                   const PlanSubdivision& subdivision);
+
+/** @brief Returns the vertices at which the solid touches itself along a vertical line:
+ * its surface is not manifold there. */
+std::vector<GridPoint> touchingVertices(const RoomLayers& layers,
+                                        const PlanSubdivision& subdivision);
+
+/** @brief Origin of a segment of an arrangement. */
+struct SegmentSource {
+  static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
+
+  std::size_t loop = 0;    ///< index of RoomLayers::loops; no_loop for others
+  std::size_t element = 0; ///< of RoomLayers::elements; for a crease, its slab's
+};
+
+/** @brief A square in plan, grid units, whose sides are segments of the arrangement. */
+struct PlanSquare {
+  GridPoint middle;
+  std::int32_t half = 0; ///< of a side
+};
+
+/** @brief A room's plan, divided along segments and triangulated. */
+struct TriangulatedPlan {
+  const RoomLayers& layers;
+  PlanGrid grid;
+  std::vector<double> tolerance; ///< of each SolidElement, metres: parts narrower
+                                 ///< than that of the elements around are slivers
+  std::vector<SegmentSource> sources{}; ///< of each segment
+  std::vector<PlanSquare> squares{};    ///< each gets the region that most of it has
+  Arrangement arrangement{};            ///< of the segments
+  PlanTriangulation triangulation{};    ///< its edges are sides of triangles
+
+  std::uint32_t corner(std::uint32_t t, std::size_t i) const
+  {
+    return triangulation.triangles[t][i % 3];
+  }
+
+  double areaOf(std::uint32_t t) const
+  {
+    const auto& points = arrangement.vertices;
+    return 0.5 * grid.unit() * grid.unit() *
+           static_cast<double>(
+               turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
+  }
+
+  double heightOf(int slab, std::uint32_t vertex) const
+  {
+    return layers.slabs[static_cast<std::size_t>(slab)].slab.heightAt(
+        grid.toPlan(arrangement.vertices[vertex]));
+  }
+
+  /** @brief Returns the segments on a triangle's side; empty if it is no edge. */
+  const std::vector<SegmentUse>& usesAt(std::uint32_t t, std::size_t side) const
+  {
+    static const std::vector<SegmentUse> no_edge;
+    const std::pair<std::uint32_t, std::uint32_t> ends =
+        std::minmax(corner(t, side), corner(t, side + 1));
+    const auto& edges = arrangement.edges;
+    const auto edge = std::lower_bound(edges.begin(), edges.end(), ends,
+                                       [](const auto& e, const auto& wanted) {
+                                         return std::make_pair(e.a, e.b) < wanted;
+                                       });
+    return edge != edges.end() && std::make_pair(edge->a, edge->b) == ends ? edge->uses
+                                                                           : no_edge;
+  }
+};
+
+/** @brief Divides a triangulated plan into regions, and replaces those that cannot be
+ * built, see subdivideRoom().
+ * @param[out] subdivision gets vertices, edges and creases
+ * @param[out] warnings of larger pieces and of details that are removed */
+void findRegions(const TriangulatedPlan& plan,
+                 PlanSubdivision& subdivision,
+                 std::vector<PlanWarning>& warnings);
 
 } // namespace pcl::sedr

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../triangulation/constrained_triangulation.h"
+#include "../triangulation/triangulation.h"
 #include "plan_subdivision.h"
 #include "room_layers.h"
 #include "sedr_filters/src/plan/plan_check.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
-#include "tilted_solid.h"
-#include "vertex_levels.h"
 
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
 #include <array>

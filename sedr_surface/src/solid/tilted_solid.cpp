@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tilted_solid.h"
+#include "room_layers.h"
 
 #include "../mesh/mesh_repair.h"
-#include "../triangulation/constrained_triangulation.h"
-#include "../triangulation/plan_grid.h"
-#include "sedr_filters/src/plan/plan_arcs.h"
+#include "../triangulation/triangulation.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <Eigen/Geometry>

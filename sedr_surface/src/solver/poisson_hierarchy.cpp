@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "poisson_hierarchy.h"
+#include "poisson_level.h"
 
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <Eigen/Geometry>
 

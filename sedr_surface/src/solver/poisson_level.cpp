@@ -3,8 +3,6 @@
 
 #include "sedr_filters/src/base/parallel.h"
 
-#include "sedr_filters/src/base/parallel_for.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "constrained_triangulation.h"
+#include "triangulation.h"
+
+#include <boost/polygon/voronoi.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -8,6 +10,55 @@
 #include <set>
 
 namespace pcl::sedr {
+namespace {
+
+/** @brief Cuts a polygon of cocircular points, counter-clockwise, into triangles of
+ * non-zero area. */
+bool
+cutPolygon(const std::vector<GridPoint>& points,
+           std::vector<std::uint32_t> polygon,
+           PlanTriangles& triangles)
+{
+  while (polygon.size() >= 3) {
+    const std::size_t n = polygon.size();
+    std::size_t ear = 0;
+    while (ear < n && turn(points[polygon[(ear + n - 1) % n]], points[polygon[ear]],
+                           points[polygon[(ear + 1) % n]]) <= 0)
+      ++ear;
+    if (ear == n)
+      return false;
+    triangles.push_back(
+        {polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  return true;
+}
+
+} // namespace
+
+bool
+delaunay(const std::vector<GridPoint>& points, PlanTriangles& triangles)
+{
+  std::vector<boost::polygon::point_data<std::int32_t>> sites;
+  sites.reserve(points.size());
+  for (const GridPoint& p : points)
+    sites.emplace_back(p.x, p.y);
+  boost::polygon::voronoi_diagram<double> diagram;
+  boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
+  // A polygon around each vertex of the Voronoi diagram, from the points of its cells.
+  for (const auto& vertex : diagram.vertices()) {
+    std::vector<std::uint32_t> polygon;
+    const auto* edge = vertex.incident_edge();
+    do {
+      polygon.push_back(static_cast<std::uint32_t>(edge->cell()->source_index()));
+      edge = edge->rot_next();
+    } while (edge != vertex.incident_edge());
+    if (!cutPolygon(points, std::move(polygon), triangles))
+      return false;
+  }
+  return true;
+}
+
 namespace {
 
 constexpr std::uint32_t none = PlanTriangulation::none;
@@ -233,34 +284,12 @@ private:
 std::vector<bool>
 insideOf(const PlanTriangulation& mesh, const PlanEdges& rim)
 {
-  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
+  return spread(mesh, false, [&](std::uint32_t t, std::size_t i, bool beyond) {
     const auto& corners = mesh.triangles[t];
     const std::pair<std::uint32_t, std::uint32_t> ends =
         std::minmax(corners[i], corners[(i + 1) % 3]);
-    return std::binary_search(rim.begin(), rim.end(), ends);
-  };
-  std::vector<bool> is_inside(mesh.triangles.size(), false);
-  std::vector<bool> is_known(mesh.triangles.size(), false);
-  std::vector<std::uint32_t> waiting;
-  const auto reach = [&](std::uint32_t t, bool inside) {
-    if (is_known[t])
-      return;
-    is_known[t] = true;
-    is_inside[t] = inside;
-    waiting.push_back(t);
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] == none)
-        reach(t, isEdge(t, i));
-  while (!waiting.empty()) {
-    const std::uint32_t t = waiting.back();
-    waiting.pop_back();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] != none)
-        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
-  }
-  return is_inside;
+    return beyond != std::binary_search(rim.begin(), rim.end(), ends);
+  });
 }
 
 } // namespace

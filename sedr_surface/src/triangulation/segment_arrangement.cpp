@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_arrangement.h"
+#include "triangulation.h"
 
 #include <boost/polygon/polygon.hpp>
 #include <boost/polygon/segment_utils.hpp>

@@ -3,7 +3,6 @@
 
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/structure_label.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 

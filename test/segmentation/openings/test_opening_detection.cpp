@@ -3,7 +3,7 @@
 
 #include "sedr_filters/src/rays/sight_lines.h"
 
-#include <pcl/sedr_filters/plan_opening.h>
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building_of_two_rooms.h"
 
-#include <pcl/sedr_surface/coverage.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "rows_in_pieces.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <gtest/gtest.h>

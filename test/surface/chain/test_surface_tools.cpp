@@ -5,7 +5,7 @@
 #include "tools/sample_files.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

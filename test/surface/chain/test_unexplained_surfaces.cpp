@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building_of_two_rooms.h"
 
-#include "sedr_surface/src/chain/unexplained_surfaces.h"
+#include "sedr_surface/src/chain/seen_surfaces.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

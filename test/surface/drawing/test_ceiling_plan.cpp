@@ -5,7 +5,7 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <gtest/gtest.h>
 

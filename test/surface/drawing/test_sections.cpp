@@ -3,7 +3,7 @@
 
 #include "sedr_surface/src/cuts/cut_drawing.h"
 #include <pcl/sedr_surface/floorplan_drawing.h>
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <gtest/gtest.h>
 

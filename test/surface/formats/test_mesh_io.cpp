@@ -2,7 +2,7 @@
 #include "surface/mesh/meshes.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/common/io.h>

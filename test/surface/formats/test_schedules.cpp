@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <pcl/sedr_surface/schedules.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "meshes.h"
 
 #include "sedr_surface/src/mesh/mesh_repair.h"
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

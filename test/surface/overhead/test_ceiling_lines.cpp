@@ -2,9 +2,8 @@
 #include "plan_loops.h"
 
 #include "sedr_surface/src/overhead/ceiling_faces.h"
-#include "sedr_surface/src/overhead/surface_lines.h"
 
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <gtest/gtest.h>
 

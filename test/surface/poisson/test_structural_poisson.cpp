@@ -3,9 +3,9 @@
 #include "sedr_surface/src/mesh/mesh_repair.h"
 
 #include <pcl/PolygonMesh.h>
-#include <pcl/sedr_surface/mesh_distance.h>
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/structural_poisson.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measured_room.h"
 
-#include <pcl/sedr_surface/certainty.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "plan_loops.h"
 
 #include "sedr_surface/src/mesh/mesh_repair.h"
-#include <pcl/sedr_surface/room_solid.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <gtest/gtest.h>
 

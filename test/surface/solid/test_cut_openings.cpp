@@ -2,7 +2,7 @@
 #include "solid_checks.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "plan_loops.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
-#include <pcl/sedr_surface/mesh_reconstruction.h>
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/impl/mesh_reconstruction.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <gtest/gtest.h>
 

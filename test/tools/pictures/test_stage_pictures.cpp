@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <pcl/sedr_filters/point_types.h>
 #include <utility>
 
 namespace {

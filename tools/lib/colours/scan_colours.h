@@ -6,8 +6,8 @@
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/structure_chain.h>
 
 #include <cstddef>
 #include <cstdint>

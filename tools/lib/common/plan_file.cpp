@@ -8,9 +8,9 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/editing/plan_outlines.h"
+#include "sedr_filters/src/editing/plan_edits.h"
 #include "sedr_filters/src/json/floorplan_format.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 #include <pcl/sedr_filters/plan_editor.h>
 

@@ -2,10 +2,10 @@
 // Rooms, ceilings and floors are compared cell by cell.
 #include "element_changes.h"
 
-#include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/base/quantiles.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/plan/room_lookup.h"
-#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 
 #include <algorithm>
 #include <cmath>

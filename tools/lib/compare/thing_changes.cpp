@@ -2,9 +2,7 @@
 // Columns and openings are compared by their places.
 #include "element_changes.h"
 
-#include "sedr_filters/src/plan/plan_arcs.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 #include <cmath>

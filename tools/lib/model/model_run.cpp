@@ -15,7 +15,7 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>

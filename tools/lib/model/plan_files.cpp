@@ -4,7 +4,7 @@
 #include "bytes/whole_file.h"
 #include "solid_files.h"
 
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 namespace pcl::sedr::tools {
 

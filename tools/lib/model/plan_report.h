@@ -4,9 +4,9 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/plan_review.h>
-#include <pcl/sedr_surface/room_solid.h>
-#include <pcl/sedr_surface/schedules.h>
 
 #include <nlohmann/json.hpp>
 

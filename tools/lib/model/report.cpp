@@ -10,7 +10,7 @@
 #include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_surface/coverage.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>

@@ -3,12 +3,11 @@
 
 #include "scan_settings.h"
 
-#include <pcl/sedr_surface/coverage.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/plan_review.h>
-#include <pcl/sedr_surface/schedules.h>
 
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sedr_surface/src/sheet/sheet.h"
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/point_types.h>
 
 #include <array>
 #include <cstddef>

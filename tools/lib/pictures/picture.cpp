@@ -2,7 +2,7 @@
 #include "picture.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_surface/src/sheet/text_places.h"
 
 #include <algorithm>

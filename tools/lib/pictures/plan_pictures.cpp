@@ -2,9 +2,11 @@
 #include "stage_pictures.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_segment.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_segmentation/src/openings/opening_search.h"
-#include "sedr_surface/src/sheet/text_spot.h"
+#include "sedr_surface/src/sheet/text_places.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "picture.h"
 
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/building.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 

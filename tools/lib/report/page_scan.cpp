@@ -5,7 +5,7 @@
 #include "results/plan_rules.h"
 #include "scan_file.h"
 
-#include <pcl/sedr_surface/mesh_distance.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <vtkBase64Utilities.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/structure_label.h>
 
 #include <Eigen/Core>
 

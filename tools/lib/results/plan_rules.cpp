@@ -2,7 +2,7 @@
 #include "plan_rules.h"
 
 #include "sedr_filters/src/plan/missing_things.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/point_types.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -6,7 +6,7 @@
 
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_up.h"
-#include <pcl/sedr_filters/impl/floor_recovery.h>
+#include <pcl/sedr_filters/impl/refinement.h>
 
 #include <algorithm>
 #include <numeric>

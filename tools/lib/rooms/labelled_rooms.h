@@ -7,6 +7,7 @@
 #include "sedr_segmentation/src/rooms/room_planes.h"
 
 #include <cstdint>
+#include <pcl/sedr_filters/point_types.h>
 #include <vector>
 
 namespace pcl::sedr::tools {

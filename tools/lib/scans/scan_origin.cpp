@@ -3,7 +3,7 @@
 #include "scan_file.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <array>
 #include <cmath>

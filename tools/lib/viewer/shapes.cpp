@@ -5,7 +5,7 @@
 
 #include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/mesh_distance.h>
+#include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>

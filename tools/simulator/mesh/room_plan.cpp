@@ -2,8 +2,7 @@
 #include "room_plan.h"
 
 #include "sedr_filters/src/plan/room_lookup.h"
-#include "sedr_surface/src/triangulation/constrained_triangulation.h"
-#include "sedr_surface/src/triangulation/segment_arrangement.h"
+#include "sedr_surface/src/triangulation/triangulation.h"
 
 #include <algorithm>
 #include <map>

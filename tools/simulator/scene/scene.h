@@ -6,7 +6,7 @@
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_segmentation/src/shapes/shape_fit.h"
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/point_types.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/structure_chain.h>
 
 #include <fstream>
 #include <iostream>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/filters/filter_indices.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 
 /** @brief Keeps the points of one storey: what lies below its floor, such as the mirror
  * images in polished stone, or above its ceiling goes. Frame: z up, metres.

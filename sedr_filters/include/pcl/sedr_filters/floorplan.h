@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_opening.h>
-#include <pcl/sedr_filters/structure_label.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -162,9 +159,6 @@ struct PlanElement {
    * to its ends. The sum over a closed loop is the area of the loop. */
   double areaUnder() const;
 };
-
-/** @brief Returns a box around an element; for an arc, around its circle. */
-Eigen::AlignedBox2d boxAround(const PlanElement& element);
 
 /** @brief A closed loop of elements: each ends where the next starts, and the last ends
  * where the first starts. Boundaries run counter-clockwise, loops of columns clockwise,
@@ -335,6 +329,53 @@ struct PlanStair {
   {
     return rooms[0] != rooms[1] || (rooms[0] != 0 && !flights.empty());
   }
+};
+
+/** @brief What an opening is. */
+enum class OpeningKind { Unknown, Door, Window, Passage };
+
+/** @brief The end of an opening at which its leaf hangs; both: it has two leaves. */
+enum class OpeningHinge { Unknown, Start, End, Both };
+
+/** @brief Whether a leaf, sash or blind shuts an opening. */
+enum class OpeningState { Unknown, Closed, Ajar, Open };
+
+/** @brief A wall that an opening is in: an element of a room's boundary. */
+struct OpeningWall {
+  std::uint32_t room = 0; ///< PlanRoom::id
+  std::size_t element = 0;
+};
+
+/** @brief Depth of an opening whose reveals were not seen, metres. */
+constexpr double unseen_reveal = 0.3;
+
+/** @brief A door, window or passage through a wall; metres. */
+struct PlanOpening {
+  OpeningKind kind = OpeningKind::Unknown;
+  /** Ids of the rooms on its two sides: first the one to the left of the direction from
+   * start to end; 0 outside, or a side that is not in the plan. */
+  std::array<std::uint32_t, 2> rooms{};
+  std::vector<OpeningWall> walls;                  ///< one or two; none of a column
+  Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in the middle of the wall
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< in the middle of the wall
+  double bottom = 0;
+  double top = 0;   ///< of an arched head: its highest point
+  double rise = 0;  ///< of an arched head; 0: it is flat
+  double depth = 0; ///< of a wall with two faces its thickness, else of the reveals as
+                    ///< far as they were seen, from 0.1 m up, or unseen_reveal
+  OpeningHinge hinge = OpeningHinge::Unknown;
+  std::uint32_t swing = 0; ///< the one of `rooms` it opens into, if the hinge is known
+  OpeningState state = OpeningState::Unknown;
+  double confidence = 0;    ///< probability of `kind`, or of the likeliest if unknown
+  double residual = 0;      ///< standard deviation of its edges
+  double deviation_95 = 0;  ///< distance from its edges within which 95 % of the points
+                            ///< that show them lie; 0: none does
+  std::uint32_t number = 0; ///< in its kind, see numberOpenings(); 0: not numbered yet
+
+  double width() const { return (end - start).norm(); }
+  double height() const { return top - bottom; }
+  bool leadsOutside() const { return rooms[0] == 0 || rooms[1] == 0; }
+  bool hasSeenReveals() const { return depth != unseen_reveal; }
 };
 
 /** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7), and

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pcl/filters/filter_indices.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/stage_error.h>
 
 #include <cstddef>
 #include <string>

@@ -78,6 +78,34 @@ void numberOpenings(Floorplan& plan);
  * the first of its rooms that the plan has; metres. */
 double sillOf(const Floorplan& plan, const PlanOpening& opening);
 
+/** @brief A leaf of a door, at the face of the wall that it turns away from. */
+struct OpeningLeaf {
+  Eigen::Vector2d hinge = Eigen::Vector2d::Zero();
+  Eigen::Vector2d shut = Eigen::Vector2d::Zero(); ///< where it ends when shut
+  Eigen::Vector2d open = Eigen::Vector2d::Zero(); ///< likewise, turned by 90 degrees
+};
+
+/** @brief Returns the leaves of an opening whose hinge is known. */
+std::vector<OpeningLeaf> leavesOf(const PlanOpening& opening);
+
+/** @brief Returns the hand of a door's leaf as one sees it who pushes it open, as IFC
+ * does: "left" or "right", where its hinges are; "double"; "" if it is not known. */
+std::string leafOf(const PlanOpening& opening);
+
+/** @brief Checks whether an opening is at a place in plan: beside its width, less than
+ * 0.5 m off the middle of its wall, at heights that overlap its own. */
+bool isAt(const PlanOpening& opening,
+          const Eigen::Vector2d& place,
+          double bottom,
+          double top);
+
+/** @brief Returns the name of a kind in files: "door". */
+const char* nameOf(OpeningKind kind);
+
+/** @brief Returns the number of an opening on drawings and in schedules: "D3" for a
+ * door, "W12" for a window, "P1" for a passage, "O2" for one of unknown kind. */
+std::string markOf(const PlanOpening& opening);
+
 /** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);
 

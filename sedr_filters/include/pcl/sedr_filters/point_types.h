@@ -3,9 +3,31 @@
 
 #include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
-#include <pcl/sedr_filters/structure_label.h>
 
 #include <cstdint>
+
+namespace pcl::sedr {
+
+/** @brief The structural class of a point: the value of the field `label` in files. */
+enum class StructureLabel : std::uint32_t {
+  Other = 0,
+  Ceiling = 1,
+  Floor = 2,
+  Wall = 3,
+  Detail = 4, ///< underside and risers of a soffit, recess, coffer or beam
+  Column = 5
+};
+
+/** @brief Returns the name of a label in lower case, "other" for unknown values. */
+inline const char*
+toString(StructureLabel label)
+{
+  constexpr const char* names[] = {"other", "ceiling", "floor",
+                                   "wall",  "detail",  "column"};
+  return names[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
+}
+
+} // namespace pcl::sedr
 
 namespace pcl {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/scan_frame.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>

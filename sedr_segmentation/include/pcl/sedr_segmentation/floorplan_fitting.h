@@ -2,11 +2,12 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 #include <pcl/sedr_filters/plan_warning.h>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/stage_error.h>
 
 #include <pcl/pcl_base.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_filters/stage_error.h>
 
 #include <pcl/ModelCoefficients.h>
 #include <pcl/PointIndices.h>

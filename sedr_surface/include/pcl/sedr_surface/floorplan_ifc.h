@@ -5,13 +5,108 @@
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_surface/schedules.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief A row of the schedule of rooms; metres. */
+struct RoomRow {
+  std::uint32_t id = 0;
+  std::string name;
+  std::string storey;
+  double area = 0;
+  double area_2_0 = 0; ///< with at least 2.0 m of headroom
+  double area_1_5 = 0; ///< with at least 1.5 m of headroom
+  double perimeter = 0;
+  double height = 0; ///< the usual one, see ClearHeight
+  double lowest = 0; ///< of the solid's ceiling, but for its smallest parts
+  double highest = 0;
+  double volume = 0;
+  double measured = -1;      ///< share of its walls; -1: not known
+  SurfaceAccuracy floor{};   ///< of its main floor
+  SurfaceAccuracy ceiling{}; ///< of its main ceiling
+};
+
+/** @brief A row of the schedule of doors, windows and passages; metres. */
+struct OpeningRow {
+  std::string mark; ///< see markOf()
+  std::string kind;
+  std::string storey;
+  double width = 0;
+  double height = 0;
+  double sill = 0;                    ///< above the floor, see sillOf()
+  std::string leaf{};                 ///< "left", "right", "double"; see leafOf()
+  std::uint32_t swing = 0;            ///< room that the leaf opens into
+  std::array<std::uint32_t, 2> rooms; ///< 0: outside
+  double confidence = 0;              ///< probability of the kind
+  SurfaceAccuracy accuracy{};         ///< of its edges
+
+  double head() const { return sill + height; }
+};
+
+/** @brief A row of the schedule of walls; metres. */
+struct WallRow {
+  std::string number; ///< that of its face on the sheet: "3.12"
+  std::string other;  ///< of the face on its other side; "": not seen
+  std::string storey;
+  bool is_external = false;
+  double thickness = 0;
+  std::string known_by{}; ///< "faces", "reveals", "storey" or "assumed"
+  double length = 0;
+  double height = 0;     ///< the maximum
+  double gross_area = 0; ///< of one side
+  double net_area = 0;   ///< without openings
+  double gross_volume = 0;
+  double net_volume = 0;      ///< without openings and niches
+  double measured = -1;       ///< share of its faces; -1: not known
+  SurfaceAccuracy accuracy{}; ///< of the worse face; none if one is a guess
+};
+
+/** @brief The schedules of a building. */
+struct Schedules {
+  std::vector<RoomRow> rooms;
+  std::vector<OpeningRow> openings; ///< by kind and number
+  std::vector<WallRow> walls;
+};
+
+/** @brief A schedule as texts, with a name such as "rooms"; names of columns end in the
+ * unit: "area_m2". */
+struct ScheduleTable {
+  std::string name;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/** @brief Returns the level of accuracy (USIBD C220) of errors of which 95 % do not
+ * exceed `error_95` metres: "LOA50" up to 1 mm, "LOA40" up to 5 mm, "LOA30" up to
+ * 15 mm, "LOA20" up to 5 cm, else "LOA10"; "not measured" if it is 0. */
+std::string levelOfAccuracy(double error_95);
+
+/** @brief Returns the level of what was measured: two standard errors. */
+std::string measuredLevel(const SurfaceAccuracy& accuracy);
+
+/** @brief Returns the level at which the model represents the points. */
+std::string representedLevel(const SurfaceAccuracy& accuracy);
+
+/** @brief Returns the accuracy of the edges of an opening; none if nothing shows them.
+ */
+SurfaceAccuracy accuracyOf(const PlanOpening& opening);
+
+/** @brief Returns the rows of the openings, by kind and number.
+ * @param plan with numbers, see numberOpenings() */
+std::vector<OpeningRow> openingRows(const Floorplan& plan);
+
+/** @brief Returns rooms, openings and walls as tables; lengths, areas and volumes with
+ * three decimals. */
+std::vector<ScheduleTable> tablesOf(const Schedules& schedules);
+
+/** @brief Returns a table as CSV (RFC 4180) in UTF-8, with a line of names. */
+std::string csvOf(const ScheduleTable& table);
 
 /** @brief How arcs are written: exactly, or as chords within 0.25 mm for programs that
  * misread IfcArcIndex. */

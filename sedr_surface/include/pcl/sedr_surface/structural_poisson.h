@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_surface/mesh_reconstruction.h>
-#include <pcl/sedr_surface/mesh_topology.h>
+#include <pcl/sedr_surface/impl/mesh_reconstruction.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstddef>
 #include <cstdint>

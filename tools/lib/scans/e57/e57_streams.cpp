@@ -4,7 +4,7 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cstring>

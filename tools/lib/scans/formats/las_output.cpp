@@ -4,7 +4,7 @@
 #include "tagged_scan.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/point_types.h>
 
 #include <algorithm>
 #include <cstring>

@@ -4,7 +4,7 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/parallel.h"
 
 namespace pcl::sedr::tools {
 

@@ -3,8 +3,8 @@
 
 #include <pcl/common/io.h>
 #include <pcl/sedr_filters/floor_projection_recovery.h>
-#include <pcl/sedr_filters/impl/floor_recovery.h>
 #include <pcl/sedr_filters/impl/pcl_bases.hpp>
+#include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/point_types.h>
 
 #include <cmath>

@@ -2,14 +2,25 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/types.h>
+
+#include <Eigen/Core>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief A point of the structure, in double precision. */
+struct SurfacePoint {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, into the room
+  StructureLabel label = StructureLabel::Other;
+  std::uint32_t room = 0;
+};
 
 /** @brief The points of the structure, moved onto the plan. */
 struct Refinement {
@@ -68,5 +79,27 @@ std::string surfaceCellsProblem(const Floorplan& plan, double size);
 std::vector<RepairedPoint> repairHoles(const std::vector<SurfacePoint>& refined,
                                        const Floorplan& plan,
                                        double cell_size);
+
+/** @brief Floor points inside and outside the scope, and sources of missing cells. */
+struct FloorRecovery {
+  pcl::Indices kept;    ///< floor points inside the scope, in input order
+  pcl::Indices removed; ///< the other floor points, non-finite ones included
+  pcl::Indices
+      sources; ///< points above the cells without floor, by cell, then by index
+};
+
+/** @brief Compares the cells of a floor with the scope of the rooms: the cells of
+ * ceiling and details together (paper, section 2.3.1). A cell without floor is filled
+ * from its ceiling points, or else its detail points. Non-finite points occupy no
+ * cells. O(n log n).
+ * @param cell_size metres, above 0 */
+FloorRecovery recoverFloor(double cell_size,
+                           const PointView& points,
+                           const pcl::Indices& floor,
+                           const pcl::Indices& ceiling,
+                           const pcl::Indices& detail);
+
+/** @brief Returns the mean z of finite points, metres; NaN for none. */
+double meanHeight(const PointView& points, const pcl::Indices& indices);
 
 } // namespace pcl::sedr

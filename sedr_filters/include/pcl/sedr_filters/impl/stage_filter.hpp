@@ -3,8 +3,8 @@
 
 #include <pcl/filters/filter.h>
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/stage_error.h>
-#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/impl/stage_error.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/stage_error.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/type_traits.h>

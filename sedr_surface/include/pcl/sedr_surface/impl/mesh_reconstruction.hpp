@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/impl/pcl_bases.hpp>
-#include <pcl/sedr_surface/mesh_reconstruction.h>
+#include <pcl/sedr_surface/impl/mesh_reconstruction.h>
 
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/search/impl/kdtree.hpp>

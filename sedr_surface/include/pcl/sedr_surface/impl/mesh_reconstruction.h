@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/impl/stage_error.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 #include <pcl/surface/reconstruction.h>
 
