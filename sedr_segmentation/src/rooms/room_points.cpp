@@ -2,7 +2,6 @@
 #include "room_points.h"
 
 #include "sedr_filters/src/base/parallel.h"
-#include "sedr_filters/src/grids/disjoint_sets.h"
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 
 #include <algorithm>
@@ -57,8 +56,14 @@ public:
         sheets_.push_back({c, room.id, StructureLabel::Ceiling, column.ceiling});
         sheets_.push_back({c, room.id, StructureLabel::Floor, column.floor});
       }
-    sortSheets();
-    continueCeilings();
+    std::stable_sort(
+        sheets_.begin(), sheets_.end(),
+        [](const ColumnSheet& a, const ColumnSheet& b) { return a.column < b.column; });
+    first_.assign(coarse_.size() + 1, 0);
+    for (const ColumnSheet& sheet : sheets_)
+      ++first_[sheet.column + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c)
+      first_[c] += first_[c - 1];
   }
 
   struct Found {
@@ -100,101 +105,6 @@ public:
   }
 
 private:
-  void sortSheets()
-  {
-    std::stable_sort(
-        sheets_.begin(), sheets_.end(),
-        [](const ColumnSheet& a, const ColumnSheet& b) { return a.column < b.column; });
-    first_.assign(coarse_.size() + 1, 0);
-    for (const ColumnSheet& sheet : sheets_)
-      ++first_[sheet.column + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c)
-      first_[c] += first_[c - 1];
-  }
-
-  /** @brief Lets ceilings go on above furniture whose top was not seen: to columns of
-   * no room in which a surface is as high, up to walls. */
-  void continueCeilings()
-  {
-    constexpr double furniture_depth = 0.8; // metres
-    const int steps =
-        static_cast<int>(std::lround(furniture_depth / coarse_.cellSize()));
-    std::vector<ColumnSheet> added;
-    std::vector<int> depth; // of each, columns
-    std::vector<std::uint8_t> is_added(coarse_.size(), 0);
-    std::vector<ColumnSheet> front;
-    for (const ColumnSheet& sheet : sheets_)
-      if (sheet.label == StructureLabel::Ceiling)
-        front.push_back(sheet);
-    for (int step = 0; step < steps && !front.empty(); ++step) {
-      std::vector<ColumnSheet> next;
-      for (const ColumnSheet& sheet : front)
-        for (int d = 0; d < 4; ++d) {
-          const std::uint32_t c = coarse_.neighbour(sheet.column, d);
-          if (c == VoxelColumns::none || hasSheet(c) || is_added[c] != 0 ||
-              !goesOnTo(c, sheet.z))
-            continue;
-          is_added[c] = 1;
-          next.push_back({c, sheet.room, StructureLabel::Ceiling, sheet.z});
-        }
-      added.insert(added.end(), next.begin(), next.end());
-      depth.resize(added.size(), step + 1);
-      front = std::move(next);
-    }
-    keepFurniture(depth, added);
-    sheets_.insert(sheets_.end(), added.begin(), added.end());
-    sortSheets();
-  }
-
-  /** @brief Whether a ceiling goes on to a column, above furniture. */
-  bool goesOnTo(std::uint32_t c, double z) const
-  {
-    constexpr double tallest_gap = 1.8; // metres, between furniture and ceiling
-    return hasPointsBetween(c, z - within_air, z + within_air) &&
-           hasPointsBetween(c, z - tallest_gap, z - within_air) &&
-           !goesOn(coarse_, c, z, StructureLabel::Ceiling);
-  }
-
-  /** @brief Keeps the sheets that hang together over as much as furniture takes up:
-   * neither less deep, as recesses are, nor larger. */
-  void keepFurniture(const std::vector<int>& depth,
-                     std::vector<ColumnSheet>& added) const
-  {
-    constexpr double min_depth = 0.3;                     // metres
-    constexpr double largest = 3;                         // square metres
-    std::vector<std::uint32_t> number(coarse_.size(), 0); // from 1
-    for (std::uint32_t k = 0; k < added.size(); ++k)
-      number[added[k].column] = k + 1;
-    DisjointSets<> sets(added.size());
-    for (std::uint32_t k = 0; k < added.size(); ++k)
-      for (int d = 0; d < 2; ++d) {
-        const std::uint32_t c = coarse_.neighbour(added[k].column, d);
-        if (c != VoxelColumns::none && number[c] != 0)
-          sets.join(k, number[c] - 1);
-      }
-    std::vector<std::size_t> size(added.size(), 0);
-    std::vector<int> deepest(added.size(), 0);
-    for (std::uint32_t k = 0; k < added.size(); ++k) {
-      ++size[sets.find(k)];
-      deepest[sets.find(k)] = std::max(deepest[sets.find(k)], depth[k]);
-    }
-    std::vector<ColumnSheet> kept;
-    for (std::uint32_t k = 0; k < added.size(); ++k)
-      if (static_cast<double>(size[sets.find(k)]) * coarse_.cellSize() *
-                  coarse_.cellSize() <=
-              largest &&
-          deepest[sets.find(k)] * coarse_.cellSize() > min_depth)
-        kept.push_back(added[k]);
-    added = std::move(kept);
-  }
-
-  bool hasPointsBetween(std::uint32_t c, double low, double high) const
-  {
-    return coarse_.countBetween(c, coarse_.voxelAt(low), coarse_.voxelAt(high) + 1) > 0;
-  }
-
-  bool hasSheet(std::uint32_t c) const { return first_[c] < first_[c + 1]; }
-
   const VoxelColumns& coarse_;
   std::vector<ColumnSheet> sheets_; ///< by column
   std::vector<std::uint32_t> first_;

@@ -14,8 +14,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <sstream>
+#include <unordered_map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -215,17 +215,21 @@ parsePly(const std::string& content, TriangleMesh& mesh)
 std::vector<std::uint32_t>
 vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
 {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas; // of vertex, value
+  std::unordered_map<std::uint64_t, double> areas; // of vertex, value
+  areas.reserve(mesh.vertices.size());
   for (std::size_t t = 0; t < values.size(); ++t)
     for (const std::uint32_t v : mesh.triangles[t])
-      areas[{v, values[t]}] += mesh.scaledNormal(t).norm();
+      areas[std::uint64_t{v} << 32U | values[t]] += mesh.scaledNormal(t).norm();
   std::vector<std::uint32_t> result(mesh.vertices.size(), 0);
   std::vector<double> largest(mesh.vertices.size(), -1);
-  for (const auto& [of, area] : areas)
-    if (area > largest[of.first]) {
-      largest[of.first] = area;
-      result[of.first] = of.second;
+  for (const auto& [of, area] : areas) {
+    const auto vertex = static_cast<std::size_t>(of >> 32U);
+    const auto value = static_cast<std::uint32_t>(of);
+    if (area > largest[vertex] || (area == largest[vertex] && value < result[vertex])) {
+      largest[vertex] = area;
+      result[vertex] = value;
     }
+  }
   return result;
 }
 
