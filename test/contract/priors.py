@@ -91,10 +91,8 @@ pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
         line = known[name]
         if line[1] != group:
             group = line[1]
-            text += ("\n## " + TITLES[group] + "\n\n| name | value | range | meaning |\n"
-                     "|---|---|---|---|\n")
-        text += "| `%s` | %g %s | %g to %g | %s |\n" % (
-            name, value, line[2], line[3], line[4], meaning)
+            text += "\n## " + TITLES[group] + "\n\n| name | default | meaning |\n|---|---|---|\n"
+        text += "| `%s` | %g %s | %s |\n" % (name, value, line[2], meaning)
     return text
 
 
