@@ -84,7 +84,7 @@ What is believed of buildings, furniture and scanners before a scan is looked at
 pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
 ```
 
-`report.json` holds the values in use and their sources. Values out of their range and unknown names are refused.
+`report.json` holds the values in use and their sources. A value out of its range is refused with the range.
 """
     group = None
     for name, value, meaning in members(root):
