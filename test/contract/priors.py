@@ -84,17 +84,15 @@ What is believed of buildings, furniture and scanners before a scan is looked at
 pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
 ```
 
-`report.json` holds the values in use and their sources. Values out of their range and unknown names are refused.
+`report.json` holds the values in use and their sources. A value out of its range is refused with the range.
 """
     group = None
     for name, value, meaning in members(root):
         line = known[name]
         if line[1] != group:
             group = line[1]
-            text += ("\n## " + TITLES[group] + "\n\n| name | value | range | meaning |\n"
-                     "|---|---|---|---|\n")
-        text += "| `%s` | %g %s | %g to %g | %s |\n" % (
-            name, value, line[2], line[3], line[4], meaning)
+            text += "\n## " + TITLES[group] + "\n\n| name | default | meaning |\n|---|---|---|\n"
+        text += "| `%s` | %g %s | %s |\n" % (name, value, line[2], meaning)
     return text
 
 
