@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floorplan.h>
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <Eigen/Geometry>
 
@@ -12,14 +12,7 @@ namespace sedr_test {
 
 using Corners = std::vector<Eigen::Vector2d>;
 
-inline pcl::sedr::PlanElement
-segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  pcl::sedr::PlanElement e;
-  e.start = start;
-  e.end = end;
-  return e;
-}
+using pcl::sedr::segment;
 
 /** Returns the arc about `centre` between two angles in degrees, counter-clockwise if
  * the second is larger. A difference of 360 is a whole circle with coinciding ends. */
@@ -42,10 +35,7 @@ arc(const Eigen::Vector2d& centre, double radius, double from, double to)
 inline pcl::sedr::PlanLoop
 polygon(const Corners& corners)
 {
-  pcl::sedr::PlanLoop loop;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    loop.elements.push_back(segment(corners[i], corners[(i + 1) % corners.size()]));
-  return loop;
+  return pcl::sedr::loopOf(corners);
 }
 
 /** Counter-clockwise, from (x0, y0). */

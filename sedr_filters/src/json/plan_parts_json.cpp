@@ -81,8 +81,9 @@ describeName(PartFields& fields,
   fields.optional(what, name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw std::invalid_argument(std::string("the ") + what +
-                                " of an opening is not known: \"" + name + "\"");
+    throw std::invalid_argument(
+        std::string("the ") + what +
+        " of an opening is not known: " + nlohmann::json(name).dump());
   value = static_cast<Enum>(found - names.begin());
 }
 

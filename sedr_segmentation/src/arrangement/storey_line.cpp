@@ -242,9 +242,10 @@ LineEvidence::findBesideEdge(StoreyLine& edge) const
       static_cast<std::size_t>((edge.to - edge.from) / StoreyLine::bin) + 2;
   edge.any.assign(bins, 0);
   edge.tall = edge.any;
+  edge.between.clear();
   for (std::size_t i = 0; i < bins; ++i) {
     const double s = edge.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin;
-    // Sides of pilasters may be too short.
+    // The side of a pilaster may be too short to be found as a face.
     edge.between.push_back(isPart(s)                ? StoreyLine::Between::Partly
                            : std::abs(s) < shortest ? StoreyLine::Between::Beyond
                                                     : StoreyLine::Between::Nothing);

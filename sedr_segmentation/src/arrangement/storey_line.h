@@ -74,8 +74,8 @@ public:
   /** @brief Finds what is on a line where no surface reaches up to the ceiling. */
   void findBetween(StoreyLine& line) const;
 
-  /** @brief Finds what is on a line across the end of a face, along which it goes on as
-   * far as a surface below a window or above it. */
+  /** @brief Extends a line across the end of a face along surfaces below windows and
+   * above doors, and finds what is on it. O(its length). */
   void findBesideEdge(StoreyLine& edge) const;
 
 private:

@@ -57,6 +57,8 @@ appendEdges(const LineEvidence& evidence, std::vector<StoreyLine>& lines)
       ends.emplace_back(p);
     }
   }
+  for (std::size_t k = faces; k < lines.size(); ++k) // some were moved
+    evidence.findBesideEdge(lines[k]);
 }
 
 } // namespace
@@ -108,6 +110,32 @@ storeyLines(const StoreyEvidence& storey)
                      return order(a) < order(b);
                    });
   return storey_lines;
+}
+
+std::vector<PlanDivider>
+dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_of)
+{
+  constexpr double longest = 0.2; // metres, of a chord of an arc,
+  constexpr double share = 0.5;   // of its radius
+  std::vector<PlanDivider> dividers;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const StoreyLine& line = lines[k];
+    if (!line.is_end && !(line.support() > 0))
+      continue;
+    const auto pieces =
+        line.curve.isCircle()
+            ? static_cast<std::size_t>(std::ceil(
+                  (line.to - line.from) / std::min(longest, share * line.curve.radius)))
+            : std::size_t{1};
+    const double step = (line.to - line.from) / static_cast<double>(pieces);
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const double from = line.from + static_cast<double>(i) * step;
+      dividers.push_back({line.at(from), line.at(from + step),
+                          static_cast<std::uint32_t>(line_of.size())});
+      line_of.push_back(k);
+    }
+  }
+  return dividers;
 }
 
 } // namespace pcl::sedr

@@ -14,33 +14,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the straight pieces of lines and arcs, numbered by their line. */
-std::vector<PlanDivider>
-dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_of)
-{
-  constexpr double longest = 0.2; // metres, of a chord of an arc,
-  constexpr double share = 0.5;   // of its radius
-  std::vector<PlanDivider> dividers;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const StoreyLine& line = lines[k];
-    if (!line.is_end && !(line.support() > 0))
-      continue;
-    const auto pieces =
-        line.curve.isCircle()
-            ? static_cast<std::size_t>(std::ceil(
-                  (line.to - line.from) / std::min(longest, share * line.curve.radius)))
-            : std::size_t{1};
-    const double step = (line.to - line.from) / static_cast<double>(pieces);
-    for (std::size_t i = 0; i < pieces; ++i) {
-      const double from = line.from + static_cast<double>(i) * step;
-      dividers.push_back({line.at(from), line.at(from + step),
-                          static_cast<std::uint32_t>(line_of.size())});
-      line_of.push_back(k);
-    }
-  }
-  return dividers;
-}
-
 /** @brief Gives each border, of the lines on which it lies, the number of that of which
  * most was seen there: a divider goes on up to the next one, where another in line with
  * it may be. */
@@ -136,8 +109,8 @@ private:
                : costs_.ofBorder(b, left, right, may_use_[borders_[b].line] != 0);
   }
 
-  /** @brief Returns what a border costs in a cut: with its share of the price of the
-   * line that is tried to leave out, of which a cut knows nothing else. */
+  /** @brief Returns what a border costs in a cut: for walls on the line that is tried
+   * to leave out, by metre, also their share of its price. */
   double cutCost(std::size_t b, int left, int right) const
   {
     const CellBorder& border = borders_[b];
@@ -189,23 +162,28 @@ private:
   {
     double rise = 0;
     Changes before;
+    const auto isAccepted = [&](const Changes& changes) {
+      Changes old;
+      for (const auto& [cell, label] : changes)
+        old.emplace_back(cell, labels_[cell]);
+      const double change = set(changes);
+      if (change < -1e-6) {
+        rise += change;
+        before.insert(before.end(), old.begin(), old.end());
+        return true;
+      }
+      set(old);
+      return false;
+    };
     for (bool goes_on = true; goes_on && sweeps-- > 0;) {
       goes_on = false;
       for (const int alpha : alphas) {
         const auto changes = taken(alpha, cells ? *cells : costs_.cellsNear(alpha));
-        for (const Changes& part : parted(changes)) {
-          Changes old;
-          for (const auto& [cell, label] : part)
-            old.emplace_back(cell, labels_[cell]);
-          const double change = set(part);
-          if (change < -1e-6) {
-            rise += change;
-            before.insert(before.end(), old.begin(), old.end());
-            goes_on = true;
-          }
-          else
-            set(old);
-        }
+        const auto parts = parted(changes);
+        const auto accepted = std::count_if(parts.begin(), parts.end(), isAccepted);
+        if (accepted > 0 || // or together, on lines that they share
+            (parts.size() > 1 && isAccepted(changes)))
+          goes_on = true;
       }
     }
     std::reverse(before.begin(), before.end());
@@ -278,8 +256,8 @@ private:
     return changes;
   }
 
-  /** @brief Leaves out the lines on which there are no walls: what one costs that comes
-   * into use again, a cut does not know. */
+  /** @brief Leaves out the lines without walls: a cut does not count the price of a
+   * line that it takes into use. */
   void leaveOutUnused()
   {
     for (std::size_t line = 0; line < uses_.size(); ++line)
@@ -330,6 +308,8 @@ private:
 
   bool tryWithout(std::size_t line)
   {
+    if (uses_[line].borders == 0) // since another was left out
+      return false;
     std::set<int> beside{0};
     double rise = 0;
     for (const std::size_t b : of_line_[line])

@@ -23,7 +23,6 @@ namespace pcl::sedr {
 void
 setCells(ChainStages& stages, double size)
 {
-  stages.plane_detection.setGridSize(size);
   stages.room_segmentation.setGridSize(size);
   stages.floorplan_fitting.setGridSize(size);
   stages.hole_repair.setGridSize(size);
@@ -32,7 +31,7 @@ setCells(ChainStages& stages, double size)
 void
 enlargeCells(ChainStages& stages, double size)
 {
-  const double before = stages.plane_detection.getGridSize();
+  const double before = stages.room_segmentation.getGridSize();
   const double repaired = stages.hole_repair.getGridSize();
   setCells(stages, size);
   stages.hole_repair.setGridSize(repaired);
@@ -94,19 +93,13 @@ ChainRun::partRooms(StageReport& report)
 std::string
 ChainRun::findPlanes(StageReport& report)
 {
-  const auto& detection = stages.plane_detection;
   const Priors& priors = stages.floorplan_fitting.getPriors();
-  const double tolerance = detection.getDistanceThreshold();
-  if (!(tolerance > 0 && 2 * tolerance < priors.min_headroom))
+  if (!(plane_tolerance > 0 && 2 * plane_tolerance < priors.min_headroom))
     return "the distance threshold must be above 0 and below half the headroom, it "
            "is " +
-           std::to_string(tolerance) + " m";
-  const double tilt = detection.getMaximumTilt();
-  if (!(tilt >= 0 && tilt <= M_PI / 4))
-    return "the maximum tilt must be within 0 and pi/4 radians, it is " +
-           std::to_string(tilt);
+           std::to_string(plane_tolerance) + " m";
   const PointView points(*model.cloud);
-  const double size = detection.getGridSize();
+  const double size = stages.room_segmentation.getGridSize();
   std::vector<CellSet> ceilings;
   for (const ChainRoom& room : rooms)
     ceilings.emplace_back(CellGrid(size), points, room.ceiling);
@@ -116,9 +109,10 @@ ChainRun::findPlanes(StageReport& report)
   }
   const ScannedBuilding scan{points,
                              stages.room_segmentation.getBuilding(),
-                             CellGrid(detection.getGridSize()),
+                             CellGrid(stages.room_segmentation.getGridSize()),
                              priors,
-                             {tolerance, tilt, detection.getSeed(),
+                             {plane_tolerance, radians(priors.max_slab_tilt),
+                              stages.floorplan_fitting.getSeed(),
                               stages.room_segmentation.getNumberOfThreads()}};
   findCeilings(scan, rooms);
   owners = findOwners(scan, rooms);
@@ -139,7 +133,7 @@ ChainRun::findPlanes(StageReport& report)
 std::string
 ChainRun::findWalls(StageReport& report)
 {
-  const CellGrid grid(stages.plane_detection.getGridSize());
+  const CellGrid grid(stages.room_segmentation.getGridSize());
   const std::string problem = growWalls(rooms, grid, stages.wall_growing, model);
   report.points_out = labelled(model, StructureLabel::Wall)->size();
   return problem;

@@ -111,7 +111,8 @@ void enlargeCells(ChainStages& stages, double size);
 struct ChainRun {
   ChainStages& stages;
   StructureModel& model;
-  bool may_be_in_feet = false; ///< the scan
+  double plane_tolerance = 0.07; ///< metres
+  bool may_be_in_feet = false;   ///< the scan
   std::vector<ChainRoom> rooms{};
   std::vector<PointOwner> owners{}; ///< of the points
   std::vector<StructureModel::StructureCloud::Ptr>

@@ -57,7 +57,6 @@ StructureChain::setNumberOfThreads(unsigned threads)
 {
   threads_ = threads;
   stages_.voxel_grid.setNumberOfThreads(threads);
-  stages_.plane_detection.setNumberOfThreads(threads);
   stages_.room_segmentation.setNumberOfThreads(threads);
   stages_.wall_growing.setNumberOfThreads(threads);
   stages_.floorplan_fitting.setNumberOfThreads(threads);
@@ -71,7 +70,6 @@ void
 StructureChain::setPriors(const Priors& priors)
 {
   stages_.room_segmentation.setHeadroom(priors.min_headroom);
-  stages_.plane_detection.setPriors(priors);
   stages_.floorplan_fitting.setPriors(priors);
   stages_.opening_detection.setPriors(priors);
 }
@@ -227,7 +225,8 @@ StructureChain::runStages()
 {
   warnOfInput(stages_.floorplan_fitting.getRawPoints(), model_);
   const double size = getGridSize();
-  ChainRun run{stages_, model_, seems_in_feet_ && !known_.unit_is_known};
+  ChainRun run{stages_, model_, plane_tolerance_,
+               seems_in_feet_ && !known_.unit_is_known};
   const auto runOn = [&](const char* name, std::size_t points_in, auto stage) {
     return runStage(name, points_in,
                     [&](StageReport& report) { return (run.*stage)(report); });

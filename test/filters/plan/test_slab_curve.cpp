@@ -81,6 +81,15 @@ TEST(SlabCurve, DistancesFromRoundOnesAreExact)
               0, 1e-9);
 }
 
+TEST(SlabCurve, MovesWithItsPlan)
+{
+  const SlabCurve curve = dome();
+  const SlabCurve there = moved(curve, 0.7, {3, -1, 0.2});
+  const Eigen::Vector2d p = curve.centre + Eigen::Vector2d(0.5, 0.3);
+  const Eigen::Vector2d q = Eigen::Rotation2Dd(0.7) * p + Eigen::Vector2d(3, -1);
+  EXPECT_NEAR(there.heightAt(q), curve.heightAt(p) + 0.2, 1e-12);
+}
+
 Floorplan
 vaultedPlan()
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
@@ -38,23 +37,6 @@ planOf(const PlanLoop& boundary)
   plan->rooms.push_back(roomOf(boundary, 2.5));
   return plan;
 }
-
-template <typename Stage>
-struct StructureStage : ::testing::Test {
-  Stage stage{true};
-  Structure output;
-
-  void run(const Structure::Ptr& input, const std::shared_ptr<Floorplan>& plan)
-  {
-    stage.setInputCloud(input);
-    stage.setFloorplan(plan);
-    stage.filter(output);
-  }
-};
-
-using Stages = ::testing::Types<pcl::StructureRefinement<pcl::PointStructure>,
-                                pcl::VerticalHoleRepair<pcl::PointStructure>>;
-TYPED_TEST_SUITE(StructureStage, Stages);
 
 TEST(StructureRefinement, LabelsAndRoomsThatAreSetStandForThoseOfThePoints)
 {

@@ -29,7 +29,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
   StructureChain chain;
   ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.getModel().problem;
-  EXPECT_GT(chain.getStages().plane_detection.getGridSize(), 0.09);
+  EXPECT_GT(chain.getGridSize(), 0.09);
   ASSERT_EQ(chain.getModel().warnings.size(), 1u);
   EXPECT_NE(
       sentenceOf(chain.getModel().warnings[0]).find("too sparse for cells of 0.05 m"),
@@ -38,7 +38,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
   EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 12, 0.1);
 
   ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
-  EXPECT_EQ(chain.getStages().plane_detection.getGridSize(), 0.05);
+  EXPECT_EQ(chain.getGridSize(), 0.05);
   EXPECT_EQ(chain.getStages().hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.getStages().wall_growing.getDistanceThreshold(), 0.15, 1e-12);
   EXPECT_TRUE(chain.getModel().warnings.empty());

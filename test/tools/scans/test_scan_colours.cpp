@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colours/scan_colours.h"
+#include "tagged_scan.h"
 #include "tool_cloud.h"
 #include "tools/sedr_tool_runs.h"
 
@@ -119,6 +120,53 @@ TEST_F(ScanColours, StayOnTheSolidOfAnEditedModel)
   ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}).exit_code, 0);
   EXPECT_NE(bytesOf(in("model/model.glb")).find("\"extras\":{\"seen\":true}"),
             std::string::npos);
+}
+
+/** One point at a distance along each axis, both ways, about a place. */
+void
+addAround(const Eigen::Vector3f& place, float distance, Label label, RoomScan& scan)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.F, 1.F}) {
+      Eigen::Vector3f p = place;
+      p[axis] += sign * distance;
+      scan.points.push_back({p.x(), p.y(), p.z(), label, 1});
+    }
+}
+
+TEST(MedianColours, AreOfAllPointsWithinThreeCentimetresInAnyFrameAndOnAnyThreads)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.pcd").string();
+  pcl::sedr::BuildingFrame frame;
+  frame.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  frame.origin = {3, -2, 1};
+  RoomScan scan;
+  SurfacePlaces places;
+  const Eigen::Matrix3f back = frame.rotation.transpose().cast<float>();
+  // Places in and on the borders of cells, on both sides of 0.
+  for (const float at : {-1.F, -0.06F, -0.031F, 0.F, 0.03F, 0.06F, 2.345F}) {
+    const Eigen::Vector3f place(
+        at, 3 * at + 10 * static_cast<float>(places.points.size()), -at);
+    places.add(place, {1, 3});
+    const Eigen::Vector3f in_scan = back * place + frame.origin.cast<float>();
+    addAround(in_scan, 0.0295F, Label::Wall, scan);
+    addAround(in_scan, 0.0305F, Label::Floor, scan);
+    addAround(in_scan, 0.0310F, Label::Floor, scan);
+  }
+  places.add({50, 50, 0}, {1, 3}); // alone
+  writeFile(path, paintedPcd(scan));
+  const JointScan joint({path}, {});
+  ASSERT_TRUE(joint.hasColours());
+  for (const unsigned threads : {1U, 3U}) {
+    const auto medians = medianColours(joint, places, frame, threads);
+    ASSERT_EQ(medians.size(), 8u);
+    for (std::size_t i = 0; i < 7; ++i) {
+      EXPECT_TRUE(medians[i].is_seen) << i;
+      EXPECT_EQ(medians[i].rgb, painted.at(Label::Wall)) << i;
+    }
+    EXPECT_FALSE(medians[7].is_seen);
+  }
 }
 
 TEST(SurfaceColours, AreFilledInFromTheNearestPlaceOfTheSurface)

@@ -13,7 +13,7 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/editing/room_references.h"
+#include "sedr_filters/src/editing/plan_edits.h"
 #include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 

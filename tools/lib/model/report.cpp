@@ -150,7 +150,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},
           {"plane_tolerance", chain.getPlaneTolerance()},
-          {"maximum_tilt_degrees", pcl::rad2deg(c.plane_detection.getMaximumTilt())},
           {"grid_size", chain.getGridSize()},
           {"minimum_room_area", c.room_segmentation.getMinimumArea()},
           {"headroom", c.room_segmentation.getHeadroom()},

@@ -9,7 +9,6 @@
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
-#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
@@ -66,7 +65,6 @@ struct ScanAssumptions {
 struct ChainStages {
   pcl::ParallelVoxelGrid<pcl::PointXYZ> voxel_grid;
   pcl::RoomSegmentation<pcl::PointXYZ> room_segmentation;
-  pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
   pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
   pcl::OpeningDetection<pcl::PointXYZ> opening_detection;
@@ -192,19 +190,13 @@ public:
   float getVoxelSize() const { return stages_.voxel_grid.getLeafSize().x(); }
 
   /** @brief Sets the "tolerance of plane", metres. Default 0.07. */
-  void setPlaneTolerance(double tolerance)
-  {
-    stages_.plane_detection.setDistanceThreshold(tolerance);
-  }
-  double getPlaneTolerance() const
-  {
-    return stages_.plane_detection.getDistanceThreshold();
-  }
+  void setPlaneTolerance(double tolerance) { plane_tolerance_ = tolerance; }
+  double getPlaneTolerance() const { return plane_tolerance_; }
 
   /** @brief Sets the cell size of all stages, metres. Default 0.05. After a run with an
    * adaptive grid, the getter returns the size that was used. */
   void setGridSize(double size);
-  double getGridSize() const { return stages_.plane_detection.getGridSize(); }
+  double getGridSize() const { return stages_.room_segmentation.getGridSize(); }
 
   /** @brief Sets the angle (radians) and the number of neighbors of boundary
    * estimation. Default 60 degrees and 200. */
@@ -240,12 +232,8 @@ public:
   const Priors& getPriors() const { return stages_.floorplan_fitting.getPriors(); }
 
   /** @brief Sets the seed of all random samples. Default 1. */
-  void setSeed(std::uint64_t seed)
-  {
-    stages_.plane_detection.setSeed(seed);
-    stages_.floorplan_fitting.setSeed(seed);
-  }
-  std::uint64_t getSeed() const { return stages_.plane_detection.getSeed(); }
+  void setSeed(std::uint64_t seed) { stages_.floorplan_fitting.setSeed(seed); }
+  std::uint64_t getSeed() const { return stages_.floorplan_fitting.getSeed(); }
 
   /** @brief Runs all stages but thinning and the mesh, in the frame of the scan, made
    * level, as the cells of the stages follow those of thinning.
@@ -295,6 +283,7 @@ private:
   ScanAssumptions known_;
   std::function<bool(const std::string&)> callback_;
   unsigned threads_ = 0;
+  double plane_tolerance_ = 0.07;
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
   bool seems_in_feet_ = false;
   std::string missing_;  ///< what of floor and ceiling the scan does not show
