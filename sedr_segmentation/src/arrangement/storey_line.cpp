@@ -225,31 +225,4 @@ LineEvidence::findBetween(StoreyLine& line) const
       line.between[i] = StoreyLine::Between::Gap;
 }
 
-void
-LineEvidence::findBesideEdge(StoreyLine& edge) const
-{
-  constexpr double shortest = 0.2; // metres, of a face that is found
-  const auto isPart = [&](double s) {
-    const Eigen::Vector2d p = edge.at(s);
-    const Cell cell = storey_.grid.at(p.x(), p.y());
-    return isIn(part_, cell) && !isIn(opaque_, cell);
-  };
-  while (isPart(edge.from))
-    edge.from -= StoreyLine::bin;
-  while (isPart(edge.to))
-    edge.to += StoreyLine::bin;
-  const auto bins =
-      static_cast<std::size_t>((edge.to - edge.from) / StoreyLine::bin) + 2;
-  edge.any.assign(bins, 0);
-  edge.tall = edge.any;
-  edge.between.clear();
-  for (std::size_t i = 0; i < bins; ++i) {
-    const double s = edge.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin;
-    // The side of a pilaster may be too short to be found as a face.
-    edge.between.push_back(isPart(s)                ? StoreyLine::Between::Partly
-                           : std::abs(s) < shortest ? StoreyLine::Between::Beyond
-                                                    : StoreyLine::Between::Nothing);
-  }
-}
-
 } // namespace pcl::sedr

@@ -74,10 +74,6 @@ public:
   /** @brief Finds what is on a line where no surface reaches up to the ceiling. */
   void findBetween(StoreyLine& line) const;
 
-  /** @brief Extends a line across the end of a face along surfaces below windows and
-   * above doors, and finds what is on it. O(its length). */
-  void findBesideEdge(StoreyLine& edge) const;
-
 private:
   Cell cellAt(const StoreyLine& line, std::size_t bin) const;
   static bool isIn(const std::vector<CellMask>& masks, Cell cell);

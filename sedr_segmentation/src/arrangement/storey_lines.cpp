@@ -15,10 +15,11 @@ namespace {
 /** @brief Appends lines across the ends of faces that end at no other one; midway
  * between ends of several. */
 void
-appendEdges(const LineEvidence& evidence, std::vector<StoreyLine>& lines)
+appendEdges(std::vector<StoreyLine>& lines)
 {
-  constexpr double reach = 0.6; // metres to both sides
-  constexpr double near = 0.06; // metres, of another line
+  constexpr double reach = 0.6;    // metres to both sides
+  constexpr double near = 0.06;    // metres, of another line
+  constexpr double shortest = 0.2; // metres, of a face that is found
   const std::size_t faces = lines.size();
   std::vector<Eigen::AlignedBox2d> ends; // by edge
   for (std::size_t k = 0; k < faces; ++k) {
@@ -52,13 +53,18 @@ appendEdges(const LineEvidence& evidence, std::vector<StoreyLine>& lines)
       edge.from = -reach;
       edge.to = reach;
       edge.near = line.near;
-      evidence.findBesideEdge(edge);
+      const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
+      edge.any.assign(bins, 0);
+      edge.tall = edge.any;
+      edge.between.assign(bins, StoreyLine::Between::Nothing);
+      for (std::size_t i = 0; i < bins; ++i) // sides of pilasters may be too short
+        if (std::abs((static_cast<double>(i) + 0.5) * StoreyLine::bin - reach) <
+            shortest)
+          edge.between[i] = StoreyLine::Between::Beyond;
       lines.push_back(std::move(edge));
       ends.emplace_back(p);
     }
   }
-  for (std::size_t k = faces; k < lines.size(); ++k) // some were moved
-    evidence.findBesideEdge(lines[k]);
 }
 
 } // namespace
@@ -100,7 +106,7 @@ storeyLines(const StoreyEvidence& storey)
   const std::vector<StoreyLine> seen = lines;
   forEachLine([&](StoreyLine& line) { evidence.extendToCorners(seen, line); });
   forEachLine([&](StoreyLine& line) { evidence.findBetween(line); });
-  appendEdges(evidence, lines);
+  appendEdges(lines);
   std::stable_sort(lines.begin(), lines.end(),
                    [](const StoreyLine& a, const StoreyLine& b) {
                      const auto order = [](const StoreyLine& line) {
@@ -110,32 +116,6 @@ storeyLines(const StoreyEvidence& storey)
                      return order(a) < order(b);
                    });
   return storey_lines;
-}
-
-std::vector<PlanDivider>
-dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_of)
-{
-  constexpr double longest = 0.2; // metres, of a chord of an arc,
-  constexpr double share = 0.5;   // of its radius
-  std::vector<PlanDivider> dividers;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const StoreyLine& line = lines[k];
-    if (!line.is_end && !(line.support() > 0))
-      continue;
-    const auto pieces =
-        line.curve.isCircle()
-            ? static_cast<std::size_t>(std::ceil(
-                  (line.to - line.from) / std::min(longest, share * line.curve.radius)))
-            : std::size_t{1};
-    const double step = (line.to - line.from) / static_cast<double>(pieces);
-    for (std::size_t i = 0; i < pieces; ++i) {
-      const double from = line.from + static_cast<double>(i) * step;
-      dividers.push_back({line.at(from), line.at(from + step),
-                          static_cast<std::uint32_t>(line_of.size())});
-      line_of.push_back(k);
-    }
-  }
-  return dividers;
 }
 
 } // namespace pcl::sedr

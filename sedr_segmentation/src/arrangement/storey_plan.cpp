@@ -14,6 +14,33 @@ namespace pcl::sedr {
 
 namespace {
 
+/** @brief Returns the straight pieces of lines and arcs, numbered by their line. */
+std::vector<PlanDivider>
+dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_of)
+{
+  constexpr double longest = 0.2; // metres, of a chord of an arc,
+  constexpr double share = 0.5;   // of its radius
+  std::vector<PlanDivider> dividers;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const StoreyLine& line = lines[k];
+    if (!line.is_end && !(line.support() > 0))
+      continue;
+    const auto pieces =
+        line.curve.isCircle()
+            ? static_cast<std::size_t>(std::ceil(
+                  (line.to - line.from) / std::min(longest, share * line.curve.radius)))
+            : std::size_t{1};
+    const double step = (line.to - line.from) / static_cast<double>(pieces);
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const double from = line.from + static_cast<double>(i) * step;
+      dividers.push_back({line.at(from), line.at(from + step),
+                          static_cast<std::uint32_t>(line_of.size())});
+      line_of.push_back(k);
+    }
+  }
+  return dividers;
+}
+
 /** @brief Gives each border, of the lines on which it lies, the number of that of which
  * most was seen there: a divider goes on up to the next one, where another in line with
  * it may be. */
@@ -85,10 +112,9 @@ public:
       }
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
-    do {
+    expand(every, nullptr, 4);
+    while (prune())
       expand(every, nullptr, 4);
-      leaveOutUnused();
-    } while (prune());
   }
 
   const std::vector<int>& labels() const { return labels_; }
@@ -107,16 +133,6 @@ private:
     return left == right
                ? 0
                : costs_.ofBorder(b, left, right, may_use_[borders_[b].line] != 0);
-  }
-
-  /** @brief Returns what a border costs in a cut: for walls on the line that is tried
-   * to leave out, by metre, also their share of its price. */
-  double cutCost(std::size_t b, int left, int right) const
-  {
-    const CellBorder& border = borders_[b];
-    return borderCost(b, left, right) + (left != right && border.line == tried_
-                                             ? tried_price_ * border.length()
-                                             : 0);
   }
 
   bool isWall(std::size_t b) const
@@ -162,57 +178,25 @@ private:
   {
     double rise = 0;
     Changes before;
-    const auto isAccepted = [&](const Changes& changes) {
-      Changes old;
-      for (const auto& [cell, label] : changes)
-        old.emplace_back(cell, labels_[cell]);
-      const double change = set(changes);
-      if (change < -1e-6) {
-        rise += change;
-        before.insert(before.end(), old.begin(), old.end());
-        return true;
-      }
-      set(old);
-      return false;
-    };
     for (bool goes_on = true; goes_on && sweeps-- > 0;) {
       goes_on = false;
       for (const int alpha : alphas) {
-        const auto changes = taken(alpha, cells ? *cells : costs_.cellsNear(alpha));
-        const auto parts = parted(changes);
-        const auto accepted = std::count_if(parts.begin(), parts.end(), isAccepted);
-        if (accepted > 0 || // or together, on lines that they share
-            (parts.size() > 1 && isAccepted(changes)))
+        Changes changes = taken(alpha, cells ? *cells : costs_.cellsNear(alpha));
+        Changes old;
+        for (const auto& [cell, label] : changes)
+          old.emplace_back(cell, labels_[cell]);
+        const double change = set(changes);
+        if (change < -1e-6) {
+          rise += change;
+          before.insert(before.end(), old.begin(), old.end());
           goes_on = true;
+        }
+        else
+          set(old);
       }
     }
     std::reverse(before.begin(), before.end());
     return {rise, std::move(before)};
-  }
-
-  /** @brief Parts changes into those of cells that hang together: some may be worth the
-   * prices of lines, which a cut does not know, and others not. */
-  std::vector<Changes> parted(const Changes& changes)
-  {
-    for (std::size_t i = 0; i < changes.size(); ++i)
-      local_[changes[i].first] = i;
-    std::vector<Changes> parts;
-    for (const auto& change : changes) {
-      if (local_[change.first] == none)
-        continue;
-      Changes& part = parts.emplace_back();
-      const auto add = [&](std::size_t cell) {
-        if (const std::size_t i = std::exchange(local_[cell], none); i != none)
-          part.push_back(changes[i]);
-      };
-      add(change.first);
-      for (std::size_t k = 0; k < part.size(); ++k)
-        for (const std::size_t b : of_cell_[part[k].first]) {
-          add(borders_[b].left);
-          add(borders_[b].right);
-        }
-    }
-    return parts;
   }
 
   /** @brief Returns what a label takes of some cells; the others keep theirs. */
@@ -231,16 +215,17 @@ private:
         const int right = labels_[border.right];
         const std::size_t other = border.left == c ? border.right : border.left;
         if (local_[other] == none) {
-          no += cutCost(b, left, right);
-          yes += border.left == c ? cutCost(b, alpha, right) : cutCost(b, left, alpha);
+          no += borderCost(b, left, right);
+          yes += border.left == c ? borderCost(b, alpha, right)
+                                  : borderCost(b, left, alpha);
           continue;
         }
         if (border.left != c)
           continue;
-        const double no_yes = cutCost(b, left, alpha);
-        const double yes_no = cutCost(b, alpha, right);
+        const double no_yes = borderCost(b, left, alpha);
+        const double yes_no = borderCost(b, alpha, right);
         // A thin part of `alpha` between two others may cost less than their border.
-        const double no_no = std::min(cutCost(b, left, right), no_yes + yes_no);
+        const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
         if (no_yes + yes_no > 0)
           cut.addPair(i, local_[other], no_no, no_yes, yes_no, 0);
       }
@@ -254,15 +239,6 @@ private:
         changes.emplace_back(cells[i], alpha);
     }
     return changes;
-  }
-
-  /** @brief Leaves out the lines without walls: a cut does not count the price of a
-   * line that it takes into use. */
-  void leaveOutUnused()
-  {
-    for (std::size_t line = 0; line < uses_.size(); ++line)
-      if (uses_[line].borders == 0)
-        may_use_[line] = 0;
   }
 
   /** @brief Leaves lines out, those first of which least is used, where that lowers the
@@ -308,8 +284,6 @@ private:
 
   bool tryWithout(std::size_t line)
   {
-    if (uses_[line].borders == 0) // since another was left out
-      return false;
     std::set<int> beside{0};
     double rise = 0;
     for (const std::size_t b : of_line_[line])
@@ -321,10 +295,7 @@ private:
       }
     const std::vector<std::size_t> cells = cellsNear(line);
     may_use_[line] = 0;
-    tried_ = line;
-    tried_price_ = priceOf(line) / uses_[line].length;
     const auto [change, before] = expand({beside.begin(), beside.end()}, &cells, 2);
-    tried_ = none;
     if (rise + change < -1e-6)
       return true;
     set(before);
@@ -340,8 +311,6 @@ private:
   const std::vector<CellBorder>& borders_;
   double price_;
   std::vector<std::uint8_t> may_use_; ///< of each line
-  std::size_t tried_ = none;          ///< the line that is tried to leave out
-  double tried_price_ = 0;            ///< of it, by metre of walls on it
   std::vector<LineUse> uses_;
   std::vector<std::vector<std::size_t>> of_line_; ///< its borders
   std::vector<std::vector<std::size_t>> of_cell_;

@@ -185,6 +185,27 @@ gatherWalls(const PointView& points,
   const auto maySlope = [&](std::size_t at) {
     return depths[at] > near[at] * p.rim / 2 && high[at] - low[at] < 2 * p.bin;
   };
+  // A low lintel goes down from where a level ceiling ends and a lower one begins: of
+  // the ceiling around it a third is at its top, of one that slopes a row of cells.
+  std::vector<float> is_at_top(count, 0);
+  for (std::size_t at = 0; at < count; ++at)
+    is_at_top[at] = is_own[at] > 0 && high[at] > cells.top[at] - p.rim / 3 ? 1 : 0;
+  const std::vector<float> at_top = boxSums(cells.seen, reach, is_at_top);
+  std::vector<Eigen::Vector3d> sums(count, Eigen::Vector3d::Zero()); // of surfaces
+  std::vector<float> beside = high;
+  spread(cells.seen, 1, std::greater<>(), beside);
+  std::vector<double> depth; // of the ceiling about each cell
+  for (std::size_t at = 0; at < count; ++at)
+    if (is_own[at] > 0)
+      depth.push_back(cells.top[at] - cells.low[at]);
+  const double uneven = depth.empty() ? 0 : middleValue(std::move(depth));
+  const auto isLowLintel = [&](std::size_t at, double z) {
+    const double top = cells.top[at] - uneven;
+    return beside[at] > top - p.rim / 3 && at_top[at] > near[at] / 3 &&
+           cells.low[at] < top - std::max(p.below, grid.size()) &&
+           z < top - p.rim / 3 &&
+           z > std::max<double>(cells.low[at], top - 2 * p.bin) + p.rim / 3;
+  };
   const auto atTop = [&](const Eigen::Vector3f& q) -> Eigen::Vector3f {
     const Eigen::Vector2f place =
         placeInPlan(q.cast<double>(), slopes, grid, cells).cast<float>();
@@ -195,6 +216,8 @@ gatherWalls(const PointView& points,
     forEachIn(
         cells.seen, grid, points, indices,
         [&](std::size_t at, const Eigen::Vector3f& q) {
+          if (isLowLintel(at, q.z()))
+            sums[at] += q.head<2>().homogeneous().cast<double>();
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
           };
@@ -225,6 +248,7 @@ gatherWalls(const PointView& points,
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
+  std::vector<std::uint8_t> is_low(count, 0);
   const CellMask below_ceiling = eroded(dilated(cells.seen, 1), 3);
   const std::uint64_t below_sill =
       (std::uint64_t{1} << static_cast<unsigned>(p.sill / p.bin)) - 1;
@@ -237,9 +261,10 @@ gatherWalls(const PointView& points,
     const int below_low = __builtin_popcount(bins_of_low[i]);
     const bool goes_on = below_low > 1; // one may be a stray
     cells.solid.values()[i] = below_top >= needed && goes_on && !endsBelow(i);
-    const bool is_low = cells.top[i] - cells.low[i] < p.filled_of_wall * p.bin;
+    // A low lintel has no room for more than one bin.
+    is_low[i] = cells.top[i] - cells.low[i] < p.filled_of_wall * p.bin;
     cells.riser.values()[i] =
-        !goes_on && below_top >= needed && !is_low && !endsBelow(i);
+        !goes_on && (below_top >= needed || (is_low[i] && sums[i].z() > 0));
     cells.pillar.values()[i] =
         below_top < needed && below_low >= needed && !endsBelow(i);
     const std::uint64_t above_sill = bins_of_base[i] & ~below_sill;
@@ -248,10 +273,19 @@ gatherWalls(const PointView& points,
         __builtin_popcountll(bins_of_base[i] & below_sill) >= p.filled_of_wall &&
         !(is_tall && highest[i] < cells.low[i] - p.below);
   }
+  const CellMask near_base = dilated(cells.base, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
-  const CellMask tall = unite(cells.solid, cells.riser);
+  const auto isTall = [&](std::size_t i) {
+    return cells.solid.values()[i] || (cells.riser.values()[i] && !is_low[i]);
+  };
+  CellMask tall(cells.seen.box());
+  for (std::size_t i = 0; i < count; ++i)
+    tall.values()[i] = isTall(i);
   const CellMask near_tall = dilated(tall, 1);
   const CellMask beside_tall = dilated(tall, 3); // of what is wall for certain
+  for (std::size_t i = 0; i < count; ++i)
+    if (!cells.riser.values()[i] || isTall(i))
+      sums[i].setZero();
   const auto shareAt = [&](std::size_t i) {
     std::uint64_t filled = 0;
     const Cell cell = cells.seen.cellAt(i);
@@ -275,6 +309,20 @@ gatherWalls(const PointView& points,
             .values()[place.cell]) {
       cells.wall_points.push_back(place.at);
       cells.wall_shares.push_back(shareAt(place.cell));
+    }
+    if (place.is_top && isTall(place.cell))
+      sums[place.cell] += place.at.homogeneous();
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(sums[i].z() > 0)) {
+      cells.riser.values()[i] = 0;
+      continue;
+    }
+    // As good as a wall above a parapet; elsewhere it may be noise of the ceiling.
+    if (cells.riser.values()[i] && is_low[i] && near_base.values()[i]) {
+      cells.wall_points.insert(cells.wall_points.end(), p.filled,
+                               sums[i].hnormalized());
+      cells.wall_shares.insert(cells.wall_shares.end(), p.filled, shareAt(i));
     }
   }
 }
