@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_filters/src/plan/plan_geometry.h"
 #include "wall_map.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include "sedr_filters/src/base/quantiles.h"
 
