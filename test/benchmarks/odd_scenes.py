@@ -232,9 +232,74 @@ def curtain(s):
     s.room["furniture"].append({"block": {"name": "curtain", "wall": 2, "s": width / 2 + 0.01, "gap": s.between(0.08, 0.25), "size": [width, 0.03, round(s.height - 0.03, 3)]}})
 
 
+def base_units(s):
+    """Base units of a kitchen below a bulkhead, the front of which is nearly in line with theirs; half of them with wall cupboards."""
+    depth, drop, start, width = s.between(0.55, 0.65), s.between(0.3, 0.7), s.between(0.01, 0.15) * s.x, s.between(0.5, 0.8) * s.x
+    s.room["ceiling_details"] = [{"loop": rectangle(0, s.y - depth + s.between(-0.15, 0.15), s.x, s.y), "drop": drop}]
+    s.room["furniture"].append({"block": {"name": "units", "wall": 2, "s": round(start + width / 2, 3), "size": [width, depth, 0.9]}})
+    if s.rng.random() < 0.5:
+        s.room["furniture"].append({"block": {"name": "wall cupboards", "wall": 2, "s": round(start + width / 2, 3), "raise": 1.45,
+                                              "size": [width, 0.35, round(s.height - drop - 1.47, 3)]}})
+
+
+def shelves(s):
+    """Shelves a little before the walls, below a soffit along three of these that nearly has their depth."""
+    depth, drop, inset = s.between(0.25, 0.45), s.between(0.12, 0.4), s.between(-0.15, 0.15)
+    x0, y0 = round(depth + inset, 3), round(s.y - depth - inset, 3)
+    s.room["ceiling_details"] = [{"loop": [[0, 0.7], [x0, 0.7], [x0, y0], [round(s.x - x0, 3), y0], [round(s.x - x0, 3), 0.7], [s.x, 0.7], [s.x, s.y], [0, s.y]],
+                                  "drop": drop}]
+    for wall, length in ((2, s.x), (3, s.y - 0.7)):
+        if wall == 2 or s.rng.random() < 0.5:
+            width = s.between(0.4, 0.7) * length
+            s.room["furniture"].append({"block": {"name": "shelves", "wall": wall, "s": round(depth + width / 2 + 0.1, 3), "gap": s.between(0.01, 0.06),
+                                                  "size": [width, depth, round(s.height - drop - s.between(0.05, 0.6), 3)]}})
+
+
+def alcoves(s):
+    """A chimney breast with shelves in the alcoves beside it, nearly flush with it, up to the ceiling or below."""
+    depth, x0, width = s.between(0.3, 0.5), s.between(0.3, 0.45) * s.x, s.between(1, 1.5)
+    x1 = round(x0 + width, 3)
+    cut(s, round(x0, 3), x1, depth)
+    height = round(s.height - s.between(0.04, 0.8), 3)
+    for left, right in ((0, x0), (x1, s.x)):
+        if left == 0 or s.rng.random() < 0.6:
+            size = [round(right - left - 0.02, 3), round(depth + s.between(-0.15, 0.15), 3), height]
+            s.room["furniture"].append({"block": {"name": "shelves", "at": [round((left + right) / 2, 3), round(s.y - 0.005 - size[1] / 2, 3)], "size": size}})
+
+
+def hall(s):
+    """Makes the room a hall of four stations."""
+    s.x, s.y = s.between(9, 13), s.between(7, 10)
+    s.height = s.between(3, 4.5)
+    s.room["outline"], s.room["ceiling"] = rectangle(0, 0, s.x, s.y), s.height
+    s.stations = [[s.x * a, s.y * b, 1.6] for a, b in ((0.18, 0.2), (0.8, 0.25), (0.25, 0.82), (0.78, 0.75))]
+
+
+def columns(s):
+    """Four columns, round or square, thin or thick, free or near a wall, below a beam."""
+    hall(s)
+    s.room["columns"] = []
+    for a, b in ((0.36, 0.5), (0.64, 0.5), (0.5, 0.25), (0.5, 0.78)):
+        size, at = s.between(0.2, 0.8), [s.x * a, s.y * b]
+        if s.rng.random() < 0.4:
+            at[1] = (s.y - size / 2 - s.between(0.1, 1)) if b > 0.6 else size / 2 + s.between(0.1, 1) if b < 0.4 else at[1]
+        at = [round(v, 3) for v in at]
+        s.room["columns"].append({"circle": at, "radius": round(size / 2, 3)} if s.rng.random() < 0.5 else
+                                 rectangle(at[0] - size / 2, at[1] - size / 2, at[0] + size / 2, at[1] + size / 2))
+    if s.rng.random() < 0.5:
+        s.room["ceiling_details"] = [{"loop": rectangle(0, s.y * 0.5 - 0.2, s.x, s.y * 0.5 + 0.2), "drop": s.between(0.2, 0.5)}]
+
+
+def ribs(s):
+    """A deck with ribs in one direction or two."""
+    hall(s)
+    ways = (0, 90) if s.rng.random() < 0.3 else (s.rng.choice((0, 90)),)
+    s.room["ribs"] = [{"direction": way, "spacing": s.between(0.6, 3), "width": s.between(0.1, 0.3), "depth": s.between(0.1, 0.5)} for way in ways]
+
+
 ODDITIES = (cupboards, cupboard, stage, pit, sloping_floor, tilted_wall, glass_partition, thin_partition, acute_corner, low_beam, pilaster, relief, closet,
             high_glazing, soffit, low_ceiling_slope, half_wall, pre_wall, stub_wall, chimney_breast, glass_corner, loft, s_wall, box_floor, mirror_wall,
-            bulkhead, curtain)
+            bulkhead, curtain, base_units, shelves, alcoves, columns, ribs)
 
 
 def build(seed):

@@ -225,12 +225,18 @@ void
 AirGaps::keepAir()
 {
   const std::vector<std::uint8_t> is_air = airOf(*this);
+  recesses_ = recessesOf(*this, is_air);
   std::vector<AirGap> kept;
+  std::vector<std::uint32_t> number(gaps_.size(), none); // of those kept
   for (std::size_t g = 0; g < gaps_.size(); ++g)
-    if (is_air[g])
+    if (is_air[g]) {
+      number[g] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(gaps_[g]);
-  void_area_ = static_cast<double>(gaps_.size() - kept.size()) * columns_.cellSize() *
-               columns_.cellSize();
+    }
+  for (AirRecess& recess : recesses_)
+    recess.from = number[recess.from];
+  const std::size_t voids = gaps_.size() - kept.size() - recesses_.size();
+  void_area_ = static_cast<double>(voids) * columns_.cellSize() * columns_.cellSize();
   setGaps(std::move(kept));
   linkGaps();
 }

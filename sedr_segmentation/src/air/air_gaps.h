@@ -21,6 +21,12 @@ struct AirGap {
   bool ceiling_seen = true; ///< likewise its high end
 };
 
+/** @brief A low gap that goes on from air, see recessesOf(). */
+struct AirRecess {
+  AirGap gap;
+  std::uint32_t from; ///< number of the gap of that air
+};
+
 /** @brief What is believed of air in buildings; lengths in metres. */
 struct AirParameters {
   double thinnest = 0.15;       ///< lower gaps are noise between two surfaces
@@ -102,6 +108,13 @@ public:
   /** @brief Whether one can stand in a gap. */
   bool isTall(const AirGap& gap) const { return hasHeadroom(gap.low, gap.high); }
 
+  /** @brief Whether nothing but what hangs from a ceiling is above a gap in its column,
+   * up to the height of that ceiling, in voxels. */
+  bool isBelowHanging(std::size_t g, std::int32_t ceiling) const
+  {
+    return g + 1 == first(gaps_[g].column + 1) || gaps_[g + 1].low > ceiling;
+  }
+
   /** @brief Height of a gap, metres. */
   double height(std::size_t g) const
   {
@@ -135,6 +148,9 @@ public:
    * scan is sparse. 0 for no heights. */
   double occupiedShare(std::uint32_t column, std::int32_t low, std::int32_t high) const;
 
+  /** @brief Low gaps that belong to the room of the air that they go on from. */
+  const std::vector<AirRecess>& recesses() const { return recesses_; }
+
   /** @brief Floor area of gaps that are no air: within slabs, above suspended
    * ceilings; square metres. */
   double voidArea() const { return void_area_; }
@@ -157,6 +173,7 @@ private:
   std::vector<AirGap> gaps_;
   std::vector<std::uint32_t> first_;
   std::vector<Links> links_;
+  std::vector<AirRecess> recesses_;
   double void_area_ = 0;
 };
 

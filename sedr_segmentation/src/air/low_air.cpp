@@ -8,24 +8,26 @@
 
 namespace pcl::sedr {
 
+namespace {
+
+/** @brief Labels the gaps that are no air. Returns 1 for those that are.
+ * @param goesOn whether air may go on from a gap to one beside it */
+template <typename GoesOn>
 std::vector<std::uint8_t>
-airOf(const AirGaps& gaps)
+airBeside(const AirGaps& gaps, const std::vector<std::uint8_t>& is_air, GoesOn goesOn)
 {
-  const std::int32_t step = gaps.voxels(gaps.parameters().same_ceiling);
-  std::vector<std::uint8_t> is_air(gaps.size(), 1);
-  std::vector<std::size_t> place(gaps.size(), 0); // of a low gap
-  std::vector<std::uint32_t> low;
+  std::vector<std::size_t> place(gaps.size(), 0);
+  std::vector<std::uint32_t> others;
   for (std::uint32_t g = 0; g < gaps.size(); ++g)
-    if (!gaps.isTall(gaps[g])) {
-      place[g] = low.size();
-      low.push_back(g);
-      is_air[g] = 0;
+    if (is_air[g] == 0) {
+      place[g] = others.size();
+      others.push_back(g);
     }
-  AirLabelling labelling(low.size(), gaps);
-  for (const std::uint32_t g : low)
+  AirLabelling labelling(others.size(), gaps);
+  for (const std::uint32_t g : others)
     for (int d = 0; d < 4; ++d) {
       const std::uint32_t o = gaps.link(g, d);
-      if (o == AirGaps::none || std::abs(gaps[o].high - gaps[g].high) > step)
+      if (o == AirGaps::none || !goesOn(g, o))
         labelling.addEnd(place[g]);
       else if (is_air[o] != 0)
         labelling.addKnown(place[g]);
@@ -33,9 +35,57 @@ airOf(const AirGaps& gaps)
         labelling.addOther(place[g], place[o]);
     }
   const std::vector<std::uint8_t> is_added = labelling.solve();
-  for (std::size_t k = 0; k < low.size(); ++k)
-    is_air[low[k]] = is_added[k];
+  std::vector<std::uint8_t> added(gaps.size(), 0);
+  for (std::size_t k = 0; k < others.size(); ++k)
+    added[others[k]] = is_added[k];
+  return added;
+}
+
+} // namespace
+
+std::vector<std::uint8_t>
+airOf(const AirGaps& gaps)
+{
+  const std::int32_t step = gaps.voxels(gaps.parameters().same_ceiling);
+  std::vector<std::uint8_t> is_air;
+  for (std::size_t g = 0; g < gaps.size(); ++g)
+    is_air.push_back(gaps.isTall(gaps[g]) ? 1 : 0);
+  const std::vector<std::uint8_t> low =
+      airBeside(gaps, is_air, [&](std::uint32_t a, std::uint32_t b) {
+        return std::abs(gaps[a].high - gaps[b].high) <= step;
+      });
+  for (std::size_t g = 0; g < gaps.size(); ++g)
+    is_air[g] = is_air[g] != 0 || low[g] != 0 ? 1 : 0;
   return is_air;
+}
+
+std::vector<AirRecess>
+recessesOf(const AirGaps& gaps, const std::vector<std::uint8_t>& is_air)
+{
+  const auto goesOn = [&](std::uint32_t a, std::uint32_t b) {
+    return gaps[a].high < gaps[b].high ? gaps.isBelowHanging(a, gaps[b].high)
+                                       : gaps.isBelowHanging(b, gaps[a].high);
+  };
+  const std::vector<std::uint8_t> is_recess = airBeside(gaps, is_air, goesOn);
+  std::vector<std::uint8_t> is_reached = is_air;
+  std::vector<AirRecess> recesses;
+  std::vector<std::uint32_t> found;
+  const auto enter = [&](std::uint32_t g, std::uint32_t from) {
+    for (int d = 0; d < 4; ++d)
+      if (const std::uint32_t o = gaps.link(g, d); o != AirGaps::none &&
+                                                   is_recess[o] != 0 &&
+                                                   is_reached[o] == 0 && goesOn(g, o)) {
+        is_reached[o] = 1;
+        found.push_back(o);
+        recesses.push_back({gaps[o], from});
+      }
+  };
+  for (std::uint32_t g = 0; g < gaps.size(); ++g)
+    if (is_air[g] != 0)
+      enter(g, g);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    enter(found[k], recesses[k].from);
+  return recesses;
 }
 
 } // namespace pcl::sedr
