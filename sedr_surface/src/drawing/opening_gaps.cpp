@@ -196,7 +196,7 @@ titleOf(const PlanRoom& room)
 }
 
 std::vector<std::string>
-roomTexts(const CeilingFaces& ceiling, DrawingView view, double zero)
+roomTexts(const RoomFaces& ceiling, DrawingView view, double zero)
 {
   const PlanRoom& room = ceiling.room;
   const double usual = clearHeight(room).usual;

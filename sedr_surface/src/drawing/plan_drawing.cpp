@@ -197,7 +197,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
     addBodies(bands, rooms, is_assumed);
   }
   for (const PlanRoom& room : plan.rooms) {
-    const CeilingFaces& ceiling = surfaces_.emplace_back(room).faces;
+    const RoomFaces& ceiling = surfaces_.emplace_back(room).faces;
     area += view == DrawingView::Floor ? ceiling.room.area() : ceiling.area();
     if (view == DrawingView::Floor)
       outlines.push_back(ceiling.room.boundary);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../overhead/ceiling_faces.h"
+#include "../overhead/room_faces.h"
 #include "../sheet/text_places.h"
 #include "../walls/wall_band.h"
 #include "dimension_rows.h"
@@ -78,7 +78,7 @@ struct DrawnSurfaces {
   /** @brief Finds the lines, see surfaceLines(). */
   void findLines(double finest);
 
-  CeilingFaces faces;
+  RoomFaces faces;
   SurfaceLines ceiling{};
   SurfaceLines floor{};
 };
@@ -155,7 +155,7 @@ std::string titleOf(const PlanRoom& room);
  * its ceiling the area, and the heights if it is not level.
  * @param zero height of level 0 */
 std::vector<std::string>
-roomTexts(const CeilingFaces& ceiling, DrawingView view, double zero);
+roomTexts(const RoomFaces& ceiling, DrawingView view, double zero);
 
 /** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
  * shapes. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../walls/wall_band.h"
+#include "ifc_bodies.h"
 #include "ifc_parts.h"
-#include "level_slab.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
@@ -24,7 +24,7 @@ meshOf(const PlanNiche& niche, const PlanLoop& loop, const WallFrame& frame, dou
   for (Eigen::Vector3d& p : foot.vertices)
     p.z() = heightAt(niche.bottom, p);
   constexpr double min_height = 0.001;
-  return prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
+  return prismOn(foot, [&](const Eigen::Vector3d& p) {
     return std::max(heightAt(niche.top, p), p.z() + min_height);
   });
 }
@@ -51,7 +51,8 @@ writeNiches(IfcDocument& document,
     const PlanRoom& room = document.plan.rooms[r];
     for (std::size_t n = 0; n < room.niches.size(); ++n) {
       const PlanNiche& niche = room.niches[n];
-      const std::string name = nameIn(room, "niche_" + std::to_string(n + 1));
+      const std::string own = "niche_" + std::to_string(n + 1);
+      const std::string name = nameIn(room, own);
       const Eigen::Vector2d middle = boundsOf(niche.boundary).center();
       const double bottom = niche.bottom.heightAt(middle);
       const double height = niche.top.heightAt(middle) - bottom;
@@ -61,15 +62,15 @@ writeNiches(IfcDocument& document,
       const IfcRoom& written = document.rooms[r];
       const bool is_built =
           written.solid.empty() ||
-          !trianglesOn(written, {name + "_bottom", name + "_top"}).empty();
+          !written.trianglesOf({own + "_bottom", own + "_top"}).empty();
       std::size_t count = 0;
       for (WrittenWall& wall : walls) {
         const PlanLoop loop = inFrame(niche.boundary, wall.frame);
-        if (!is_built || height <= 0 || bottom >= wall.top ||
-            bottom + height <= wall.bottom ||
+        if (!is_built || height <= 0 || bottom >= wall.top() ||
+            bottom + height <= wall.bottom() ||
             commonArea(wall.profile, {loop}) <= no_area)
           continue;
-        const double low = bottom - wall.bottom;
+        const double low = bottom - wall.bottom();
         if (std::any_of(gaps.begin(), gaps.end(), [&](const WrittenGap& gap) {
               return gap.wall == &wall && isInGap(gap, loop, low, low + height);
             })) {
@@ -80,7 +81,7 @@ writeNiches(IfcDocument& document,
         writeOpening(document, wall, name + part,
                      is_level ? document.shapes.extrusion(loop, {}, low, height)
                               : document.shapes.faceSet(
-                                    meshOf(niche, loop, wall.frame, wall.bottom)),
+                                    meshOf(niche, loop, wall.frame, wall.bottom())),
                      {loop, niche.bottom, niche.top, true});
         ++count;
       }
@@ -113,10 +114,11 @@ boxIn(const Floorplan& plan,
       std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
     return false;
   constexpr double on_floor = 0.05; // a sill lower than that is none
-  const double bottom = opening.bottom - written.bottom;
+  const double bottom = opening.bottom - written.bottom();
   box.bottom = bottom < on_floor ? 0 : bottom;
-  box.top = opening.top - written.bottom;
-  if (box.top - box.bottom < no_opening || box.bottom >= written.top - written.bottom)
+  box.top = opening.top - written.bottom();
+  if (box.top - box.bottom < no_opening ||
+      box.bottom >= written.top() - written.bottom())
     return false;
   const Eigen::Vector2d start = written.frame.toLocal(opening.start);
   const Eigen::Vector2d end = written.frame.toLocal(opening.end);
@@ -171,8 +173,8 @@ writeGaps(IfcDocument& document,
           writeOpening(document, wall, name + part,
                        document.shapes.extrusion(plan, {}, box.bottom,
                                                  box.top - box.bottom, wall.runs.near),
-                       {plan, horizontalSlab(wall.bottom + box.bottom),
-                        horizontalSlab(wall.bottom + box.top)});
+                       {plan, horizontalSlab(wall.bottom() + box.bottom),
+                        horizontalSlab(wall.bottom() + box.top)});
       document.addQuantities(cut, name + part, "Qto_OpeningElementBaseQuantities",
                              {{"LENGTH", "Width", opening.width()},
                               {"LENGTH", "Height", opening.height()},
@@ -354,7 +356,7 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
       plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
         OpeningBox box;
         return boxIn(plan, wall, opening, beside, box) && box.bottom <= 0 &&
-               box.top >= wall.top - wall.bottom - min_wall_height &&
+               box.top >= wall.top() - wall.bottom() - min_wall_height &&
                std::abs(
                    largestPartOutside(wall.profile, {{box.loop()}}).boundary.area()) <
                    no_area;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ceiling_faces.h"
+#include "room_faces.h"
 
 #include "sedr_filters/src/base/number_text.h"
 
@@ -245,22 +245,37 @@ private:
 
 } // namespace
 
-std::vector<std::size_t>
-SurfaceLines::largest(const std::vector<PlanDetail>& details) const
+std::vector<NotedPart>
+SurfaceLines::noted(const PlanRoom& room, SurfaceSide side) const
 {
-  std::map<std::size_t, std::pair<double, std::size_t>> found; // by part
-  for (std::size_t d = 0; d < details.size(); ++d) {
-    const double area = std::abs(details[d].boundary.area());
-    auto& best = found[part[d + 1]];
-    if (part[d + 1] != part.front() && area > best.first)
-      best = {area, d};
+  const bool is_floor = side == SurfaceSide::Floor;
+  const std::vector<PlanDetail>& details = is_floor ? room.floor_details : room.details;
+  std::vector<NotedPart> parts{
+      {is_floor ? room.floor : room.ceiling, room.boundary, room.columns}};
+  for (const PlanDetail& detail : details)
+    parts[0].others.push_back(detail.boundary);
+  std::map<std::size_t, std::size_t> largest; // detail, by part
+  const auto areaOf = [&](std::size_t d) {
+    return std::abs(details[d].boundary.area());
+  };
+  for (std::size_t d = 0; d < details.size(); ++d)
+    if (part[d + 1] != part.front())
+      if (const auto [best, is_first] = largest.emplace(part[d + 1], d);
+          !is_first && areaOf(d) > areaOf(best->second))
+        best->second = d;
+  std::set<std::size_t> chosen;
+  for (const auto& [of, d] : largest)
+    chosen.insert(d);
+  for (const std::size_t d : chosen) {
+    NotedPart& noted = parts.emplace_back(
+        NotedPart{details[d].slab, details[d].boundary, room.columns});
+    noted.others.insert(noted.others.end(), details[d].holes.begin(),
+                        details[d].holes.end());
+    for (std::size_t later = d + 1; later < details.size(); ++later)
+      if (boundsOf(details[later].boundary).intersects(boundsOf(noted.outline)))
+        noted.others.push_back(details[later].boundary);
   }
-  std::vector<std::size_t> numbers;
-  for (const auto& [of, best] : found)
-    if (best.first > 0)
-      numbers.push_back(best.second);
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
+  return parts;
 }
 
 SurfaceLines

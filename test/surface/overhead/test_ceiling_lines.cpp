@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_surface/src/overhead/ceiling_faces.h"
+#include "sedr_surface/src/overhead/room_faces.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
@@ -129,7 +129,7 @@ TEST(HeightLines, EndAtSoffitsAndPlatforms)
   room.details = {detailOf(rectangle(0, 0, 4, 1), 1.5)};
   room.floor_details = {detailOf(rectangle(0, 3, 4, 4), 0.2)};
   double length = 0;
-  for (const auto& [line, is_crease, text] : heightLines(CeilingFaces(room), 2)) {
+  for (const auto& [line, is_crease, text] : heightLines(RoomFaces(room), 2)) {
     EXPECT_NEAR(line.start.x(), line.end.x(), 1e-6);
     const bool is_above_platform = line.pointAt(line.length() / 2).y() > 3;
     EXPECT_NEAR(line.start.x(), is_above_platform ? 2.4 : 2, 1e-6);
@@ -147,7 +147,7 @@ TEST(ContourLines, RunAroundADomeAtEqualHeights)
   dome.base = 2;
   dome.along = dome.across = dome.up = 2;
   room.ceiling.curve = std::make_shared<SlabCurve>(dome);
-  const auto lines = contourLines(CeilingFaces(room));
+  const auto lines = contourLines(RoomFaces(room));
   std::map<long, int> told;
   for (const SurfaceLine& line : lines) {
     const Eigen::Vector2d p = line.element.start - Eigen::Vector2d(3, 2);
