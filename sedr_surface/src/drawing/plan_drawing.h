@@ -172,8 +172,16 @@ struct Drawing {
     bool is_assumed = false; ///< the thickness of a wall
   };
 
+  /** @brief A floor, a niche, a column, or a room that is cut; metres. */
+  struct Ground {
+    SheetLook look;
+    std::vector<PlanLoop> loops;
+    std::uint32_t room = 0; ///< below the lines of it
+  };
+
   DrawingView view = DrawingView::Floor;
   SheetLayout layout;
+  std::vector<Ground> grounds;
   std::vector<PlanLoop> outlines; ///< of rooms, metres, as the next two
   std::vector<Body> bodies;
   std::vector<PlanLine> lines;
@@ -226,8 +234,7 @@ sheetText(const Sheet& sheet, DrawingFormat format)
 }
 
 /** @brief Returns the drawing as a sheet. */
-Sheet cutSheet(const CutDrawing& drawing, const DrawingSettings& settings);
-Sheet planSheet(const PlanDrawing& drawing, const DrawingSettings& settings);
+Sheet sheetOf(const Drawing& drawing, const DrawingSettings& settings);
 
 /** @brief Returns a drawing without a plan, such as a section, as DXF. */
 std::string dxfOf(const Drawing& drawing, const DrawingSettings& settings);

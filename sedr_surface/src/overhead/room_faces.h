@@ -147,8 +147,7 @@ struct SurfaceLines {
  * they are of one part.
  *
  * A line is where the upper one of both details in the room's list has its edge.
- * Segments are straightened; where two planes meet, the line is that of their
- * intersection. Arcs stay arcs.
+ * Segments are straightened, arcs stay arcs.
  * @param finest metres that a millimetre of paper stands for: lines are straightened by
  * that much, and those that extend over less than eight of them are left out */
 SurfaceLines surfaceLines(const PlanRoom& room, SurfaceSide side, double finest);
