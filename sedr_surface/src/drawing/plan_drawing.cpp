@@ -57,17 +57,8 @@ public:
                         1.6 * styleOf(PlanLayer::Wall).line.width};
     sheet_.addLine(gap, {c[0], c[1]});
     sheet_.addLine(gap, {c[2], c[3]});
-    sheet_.addLine(looks::jamb, {c[0], c[3]});
-    sheet_.addLine(looks::jamb, {c[1], c[2]});
-    if (opening.has_faces) {
-      sheet_.addLine(looks::thin, {c[0], c[1]});
-      sheet_.addLine(looks::thin, {c[2], c[3]});
-    }
-    for (const PlanElement& line : fillingOf(opening))
-      sheet_.addLine(opening.kind == OpeningKind::Door ? looks::leaf : looks::thin,
-                     {frame_(line.start), frame_(line.end)});
-    for (const PlanElement& line : opening.leaf)
-      addLine(looks::thin, line);
+    for (const GapLine& line : linesOf(opening))
+      addLine(line.look, line.element);
   }
 
   void addLine(const SheetLook& look, const PlanElement& element)

@@ -41,13 +41,16 @@ layerOf(const OpeningGap& gap)
   return gap.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
 }
 
-/** @brief Returns the lines along a gap of what shuts it, metres: two of a window, one
- * of a door whose leaves are not known; none for other gaps. */
-std::vector<PlanElement> fillingOf(const OpeningGap& gap);
+/** @brief A line of a gap, metres, and how it looks on a sheet. */
+struct GapLine {
+  PlanElement element;
+  SheetLook look;
+};
 
 /** @brief Returns all lines of a gap: its jambs, both faces below a window, what shuts
- * it, leaves and swings. */
-std::vector<PlanElement> linesOf(const OpeningGap& gap);
+ * it, leaves and swings. Two lines along a gap shut a window, one a door whose leaves
+ * are not known. */
+std::vector<GapLine> linesOf(const OpeningGap& gap);
 
 /** @brief Returns what is left of the face of a wall beside gaps in it. */
 std::vector<PlanElement> cutAtGaps(const PlanElement& element,

@@ -149,8 +149,8 @@ private:
     constexpr int has_attributes = 2;
     DxfBlock& block = file_.addBlock(opening.mark, has_attributes);
     block.declare(layer, attributes);
-    for (const PlanElement& line : linesOf(opening))
-      block.element(layer, local(line));
+    for (const GapLine& line : linesOf(opening))
+      block.element(layer, local(line.element));
     model_.insert(layer, opening.mark, opening.corners[0], turn * 180 / M_PI,
                   attributes);
   }

@@ -15,10 +15,10 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double min_step = 0.03;    ///< metres
-constexpr double beside = 0.05;      ///< where facets are asked for, metres
-constexpr double shortest = 8;       ///< line, millimetres of paper
-constexpr int outside = -2;          ///< of the room
+constexpr double min_step = 0.03; ///< metres
+constexpr double beside = 0.05;   ///< where facets are asked for, metres
+constexpr double shortest = 8;    ///< line, millimetres of paper
+constexpr int outside = -2;       ///< of the room
 
 /** @brief What lies to the left and to the right of a place of a line: details, -1 for
  * the main slab; and whether they differ there. */

@@ -67,10 +67,11 @@ TEST(CeilingLines, OfAThingThatIsTinyOnPaperAreNone)
 
 TEST(CeilingLines, TwoPlanesMeetInARidge)
 {
-  const auto lines = ceilingLines(roomWith({{rectangle(0, 0, 8, 4), slabAt(1.3, 0.3)},
-                                            {rectangle(4, 0, 8, 4), slabAt(4.9, -0.6)}}),
-                                  at_1_50)
-                         .lines;
+  const auto lines =
+      ceilingLines(roomWith({{rectangle(0, 0, 8, 4), slabAt(1.3, 0.3)},
+                             {rectangle(4, 0, 8, 4), slabAt(4.9, -0.6)}}),
+                   at_1_50)
+          .lines;
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].is_crease);
   EXPECT_EQ(lines[0].text, "ridge 2.50");
