@@ -238,67 +238,58 @@ kindsOfEdits()
 /** @brief The options that change a plan, of pcl_floorplan_edit. */
 class EditOptions {
 public:
-  void declare(Options& options);
+  explicit EditOptions(Options& options)
+      : given_(kindsOfEdits().size(), none)
+  {
+    for (std::size_t k = 0; k < given_.size(); ++k)
+      options.text(kindsOfEdits()[k].option, given_[k], kindsOfEdits()[k].help);
+  }
 
   /** @brief Returns whether any edit is given. */
-  bool isGiven() const;
+  bool isGiven() const
+  {
+    return std::any_of(given_.begin(), given_.end(),
+                       [](const std::string& edits) { return edits != none; });
+  }
 
   /** @brief Makes all edits, kind by kind. Throws ToolError with the first that fails.
    * @return what each did, a sentence with numbers */
-  std::vector<std::string> apply(PlanEditor& editor) const;
+  std::vector<std::string> apply(PlanEditor& editor) const
+  {
+    std::vector<std::string> done;
+    std::vector<std::string> warnings; // told if no edit fails
+    for (std::size_t k = 0; k < given_.size(); ++k) {
+      if (given_[k] == none)
+        continue;
+      const Kind& kind = kindsOfEdits()[k];
+      const std::string option = "--" + std::string(kind.option) + " ";
+      std::istringstream list(given_[k].empty() ? ";" : given_[k]);
+      for (std::string edit; std::getline(list, edit, ';');) {
+        boost::algorithm::trim(edit);
+        try {
+          if (!kind.edit(editor, edit))
+            throw ToolError(option + edit + ": " + editor.getErrorMessage());
+        }
+        catch (const OtherForm&) {
+          throw ToolError("'" + edit + "': " + option + "wants " + kind.wanted);
+        }
+        done.push_back(editor.getSentence());
+        for (const std::string& warning : editor.getWarnings()) {
+          done.back() += "; " + warning;
+          warnings.push_back(option + edit + ": " + warning);
+        }
+      }
+    }
+    if (editor.getFloorplan().rooms.empty())
+      throw ToolError("no room is left");
+    for (const std::string& warning : warnings)
+      warn(warning);
+    return done;
+  }
 
 private:
   std::vector<std::string> given_; ///< by kind; several, parted by semicolons
 };
-
-void
-EditOptions::declare(Options& options)
-{
-  given_.assign(kindsOfEdits().size(), none);
-  for (std::size_t k = 0; k < given_.size(); ++k)
-    options.text(kindsOfEdits()[k].option, given_[k], kindsOfEdits()[k].help);
-}
-
-bool
-EditOptions::isGiven() const
-{
-  return std::any_of(given_.begin(), given_.end(),
-                     [](const std::string& edits) { return edits != none; });
-}
-
-std::vector<std::string>
-EditOptions::apply(PlanEditor& editor) const
-{
-  std::vector<std::string> done;
-  std::vector<std::string> warnings; // told if no edit fails
-  for (std::size_t k = 0; k < given_.size(); ++k) {
-    if (given_[k] == none)
-      continue;
-    const Kind& kind = kindsOfEdits()[k];
-    const std::string option = "--" + std::string(kind.option) + " ";
-    std::istringstream list(given_[k].empty() ? ";" : given_[k]);
-    for (std::string edit; std::getline(list, edit, ';');) {
-      boost::algorithm::trim(edit);
-      try {
-        if (!kind.edit(editor, edit))
-          throw ToolError(option + edit + ": " + editor.getErrorMessage());
-      }
-      catch (const OtherForm&) {
-        throw ToolError("'" + edit + "': " + option + "wants " + kind.wanted);
-      }
-      done.push_back(editor.getSentence());
-      for (const std::string& warning : editor.getWarnings()) {
-        done.back() += "; " + warning;
-        warnings.push_back(option + edit + ": " + warning);
-      }
-    }
-  }
-  if (editor.getFloorplan().rooms.empty())
-    throw ToolError("no room is left");
-  for (const std::string& warning : warnings)
-    warn(warning);
-  return done;
-}
 
 } // namespace
 
@@ -308,7 +299,6 @@ main(int argc, char** argv)
   std::string plan;
   std::string output;
   bool undo = false;
-  EditOptions edits;
   Options options(
       "pcl_floorplan_edit",
       "Changes a floor plan by hand. Of a folder of pcl_sedr, all files that follow "
@@ -321,7 +311,7 @@ main(int argc, char** argv)
                "pcl_floorplan_fitting write it");
   options.optionalFile("OUTPUT.json", output,
                        "changed floor plan to write, if MODEL is one");
-  edits.declare(options);
+  const EditOptions edits(options);
   options.flag("undo", undo, "take back the last edits of a folder instead");
   return runTool(options, argc, argv, [&] {
     const bool is_folder = std::filesystem::is_directory(plan);

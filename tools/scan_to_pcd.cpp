@@ -2,7 +2,9 @@
 #include "e57/e57_reader.h"
 #include "plain_text.h"
 #include "run_tool.h"
+#include "scan_file.h"
 #include "scan_options.h"
+#include "tool_cloud.h"
 #include "tool_error.h"
 
 #include <cstdio>
@@ -45,10 +47,14 @@ run(const Settings& settings)
   if (!settings.list && settings.output.empty())
     throw ToolError("the name of the PCD to write is missing; --list names the scans "
                     "of an E57 file");
-  if (settings.list)
+  if (settings.list) {
     listScans(settings.input);
-  else
-    convertScan(settings.input, settings.output, settings.scan);
+    return Done;
+  }
+  checkCloudOutput(settings.output);
+  const ScanFile scan(settings.input, settings.scan.resolved());
+  saveScan(settings.output, scan, scan);
+  say(std::to_string(scan.size()) + " points");
   return Done;
 }
 

@@ -5,16 +5,17 @@
 #include "tagged_scan.h"
 #include "tool_error.h"
 
-#include "sedr_surface/src/chain/scan_voxels.h"
-
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 using namespace pcl::sedr::tools;
-using pcl::sedr::ScanVoxels;
 using pcl::sedr::StructureModel;
 
 namespace {
@@ -30,6 +31,78 @@ checkClassified(const std::string& path, const std::vector<std::string>& inputs)
     if (std::filesystem::equivalent(path, input, error))
       throw ToolError("'" + path + "' is the scan itself: give another name");
 }
+
+/** @brief Finds the point of a thinned scan that a point of the scan went into. */
+class ScanVoxels {
+public:
+  /** @param model outlives this object
+   * @param leaf edge of its voxels, metres */
+  ScanVoxels(const StructureModel& model, double leaf)
+      : model_(model)
+      , to_building_(model.levelFrame().to(model.frame))
+      , leaf_(leaf)
+  {
+    for (std::size_t i = 0; i < model.cloud->size(); ++i)
+      points_.emplace_back(voxelOf(meanOf(i)), i);
+    std::sort(points_.begin(), points_.end());
+  }
+
+  /** @brief Returns the index of the thinned point; that of none of them, the number of
+   * thinned points, for strays, reflections and points that are not finite. O(log n),
+   * thread-safe.
+   * @param p in the frame of the scan */
+  std::size_t of(const Eigen::Vector3f& p) const
+  {
+    const std::size_t none = points_.size();
+    constexpr float far = 1e7F; // metres, beyond voxels
+    if (!(p.cwiseAbs().maxCoeff() < far))
+      return none;
+    const Voxel voxel = voxelOf(model_.frame.toBuilding(p.cast<double>()));
+    const auto at = [&](const Voxel& v) {
+      const auto found = std::lower_bound(points_.begin(), points_.end(),
+                                          std::pair(v, std::size_t{0}));
+      return found != points_.end() && found->first == v ? found->second : none;
+    };
+    if (const std::size_t own = at(voxel); own != none)
+      return own;
+    // The mean of a voxel may have been rounded beyond its border.
+    constexpr double rounding = 1e-4; // metres
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1}) {
+        Voxel beside = voxel;
+        beside[axis] += step;
+        const std::size_t near = at(beside);
+        const double border = leaf_ * (voxel[axis] + (step < 0 ? 0 : 1));
+        if (near != none &&
+            std::abs(meanOf(near)[static_cast<Eigen::Index>(axis)] - border) < rounding)
+          return near;
+      }
+    return none;
+  }
+
+private:
+  using Voxel = std::array<std::int32_t, 3>;
+
+  Voxel voxelOf(const Eigen::Vector3d& p) const
+  {
+    Voxel voxel{};
+    for (int axis = 0; axis < 3; ++axis)
+      voxel[static_cast<std::size_t>(axis)] =
+          static_cast<std::int32_t>(std::floor(p[axis] / leaf_));
+    return voxel;
+  }
+
+  Eigen::Vector3d meanOf(std::size_t point) const
+  {
+    return to_building_.toBuilding(
+        (*model_.cloud)[point].getVector3fMap().cast<double>());
+  }
+
+  const StructureModel& model_;
+  pcl::sedr::BuildingFrame to_building_; ///< from that of the results
+  double leaf_;
+  std::vector<std::pair<Voxel, std::size_t>> points_; ///< sorted
+};
 
 /** @brief Writes the scan with what its points were found to be. */
 void

@@ -2,7 +2,6 @@
 #include "joint_scan.h"
 #include "model/model_run.h"
 #include "mpi/joint_work.h"
-#include "mpi/ranks.h"
 #include "run_tool.h"
 #include "tool_error.h"
 

@@ -86,6 +86,8 @@ complete(const std::vector<std::vector<PlanLoop>>& rows,
          const DrawingSettings& settings,
          CutDrawing& drawing)
 {
+  for (const PlanLoop& outline : drawing.outlines)
+    drawing.grounds.push_back({looks::room, {outline}});
   Eigen::AlignedBox2d bodies;
   for (const Drawing::Body& body : drawing.bodies)
     bodies.extend(sedr::boundsOf(body.area.boundary));
@@ -119,7 +121,7 @@ written(const CutDrawing& drawing,
   for (const DrawingFormat format : formats)
     files.push_back(format == DrawingFormat::Dxf
                         ? dxfOf(drawing, settings)
-                        : sheetText(cutSheet(drawing, settings), format));
+                        : sheetText(sheetOf(drawing, settings), format));
   return files;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../drawing/plan_drawing.h"
-#include "../overhead/ceiling_faces.h"
+#include "../overhead/room_faces.h"
 #include "cut_drawing.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
@@ -26,15 +26,9 @@ public:
       : plan_(plan)
       , room_(room)
       , settings_(settings)
+      , faces_(room)
   {
-    extrudeRoom(room, {}, solid_, elements_);
-    double lowest = std::numeric_limits<double>::max();
-    double highest = std::numeric_limits<double>::lowest();
-    for (const Eigen::Vector3d& p : solid_.vertices) {
-      lowest = std::min(lowest, p.z());
-      highest = std::max(highest, p.z());
-    }
-    const Rows found = bestRows(highest - lowest);
+    const Rows found = bestRows(faces_.solid.bounds().sizes().z());
     for (const std::vector<std::size_t>& row : found.walls) {
       double left = 0;
       const auto first = static_cast<std::ptrdiff_t>(drawing.outlines.size());
@@ -170,21 +164,18 @@ private:
     const PlanElement& wall = room_.boundary.elements[e];
     const double length = wall.length();
     const bool is_round = wall.isArc() && std::abs(wall.sweep()) > 2 * M_PI - 1e-6;
-    const std::string name =
-        "room_" + std::to_string(room_.id) + "_wall_" + std::to_string(e + 1);
+    const TriangleMesh& solid = faces_.solid;
     std::array<std::vector<std::size_t>, 2> halves;
-    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
-      if (const std::uint32_t of = solid_.elements[t];
-          of > 0 && elements_[of - 1].name == name) {
-        const Eigen::Vector3d middle =
-            (solid_.corner(t, 0) + solid_.corner(t, 1) + solid_.corner(t, 2)) / 3;
-        const bool is_second = is_round && alongOf(wall, middle.head<2>()) > length / 2;
-        halves[is_second ? 1 : 0].push_back(t);
-      }
+    for (const std::size_t t : faces_.trianglesOf({"wall_" + std::to_string(e + 1)})) {
+      const Eigen::Vector3d middle =
+          (solid.corner(t, 0) + solid.corner(t, 1) + solid.corner(t, 2)) / 3;
+      const bool is_second = is_round && alongOf(wall, middle.head<2>()) > length / 2;
+      halves[is_second ? 1 : 0].push_back(t);
+    }
     std::vector<PlanLoop> loops;
     for (const std::size_t half : {0U, 1U})
       for (const PlanLoop& loop :
-           outlinesOf(solid_, halves[half], [&](const Eigen::Vector3d& p) {
+           outlinesOf(solid, halves[half], [&](const Eigen::Vector3d& p) {
              // Seen from the room, an element that runs counter-clockwise runs to the
              // left. A round one ends where it starts.
              double along = alongOf(wall, p.head<2>());
@@ -224,8 +215,7 @@ private:
   const Floorplan& plan_;
   const PlanRoom& room_;
   const DrawingSettings& settings_;
-  TriangleMesh solid_;
-  std::vector<SolidElement> elements_;
+  RoomFaces faces_;
   double up_ = 0; ///< of the present row, metres
 };
 

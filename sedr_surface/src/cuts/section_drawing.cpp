@@ -149,12 +149,8 @@ sectionOf(const Floorplan& plan,
   CutDrawing drawing;
   const std::vector<PlanWall> walls = findWalls(plan, {settings.max_wall});
   std::vector<CutRoom> rooms;
-  for (const PlanRoom& room : plan.rooms) {
-    TriangleMesh solid;
-    std::vector<SolidElement> elements;
-    extrudeRoom(room, {}, solid, elements);
-    rooms.push_back({&room, cutOf(solid, line)});
-  }
+  for (const PlanRoom& room : plan.rooms)
+    rooms.push_back({&room, cutOf(RoomFaces(room).solid, line)});
   std::vector<PlanArea> bodies;
   std::vector<PlanArea> open;
   addWalls(plan, walls, line, bodies);

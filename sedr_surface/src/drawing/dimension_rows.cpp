@@ -20,11 +20,9 @@ constexpr double last_row = 5;        ///< what a row needs outwards
 constexpr double beyond = 1.5;        ///< overshoot of extension lines
 constexpr double min_dimension = 0.7; ///< of nearer places only one is drawn
 
-using Line = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
-
 /** @brief Returns the extension line from a corner to the dimension line; only its last
  * part if it would be long. */
-Line
+PlanElement
 extensionLine(const Eigen::Vector2d& corner, const Eigen::Vector2d& at)
 {
   constexpr double gap = 1.5;
@@ -32,15 +30,8 @@ extensionLine(const Eigen::Vector2d& corner, const Eigen::Vector2d& at)
   constexpr double extension = 4;
   const double length = (at - corner).norm();
   const Eigen::Vector2d off = (at - corner) / std::max(length, 1e-9);
-  return {corner + (length > longest ? length - extension : gap) * off,
-          at + beyond * off};
-}
-
-/** @brief Returns the lines of a dimension: its own, and both extension lines. */
-std::vector<Line>
-linesOf(const SheetDimension& d)
-{
-  return {{d.start, d.end}, extensionLine(d.from, d.start), extensionLine(d.to, d.end)};
+  return segment(corner + (length > longest ? length - extension : gap) * off,
+                 at + beyond * off);
 }
 
 std::vector<SheetDimension>
@@ -139,6 +130,21 @@ joinUnreadable(const std::vector<SheetDimension>& row, DimensionChain& chain)
 
 } // namespace
 
+std::vector<PlanElement>
+linesOf(const SheetDimension& d)
+{
+  return {segment(d.start, d.end), extensionLine(d.from, d.start),
+          extensionLine(d.to, d.end)};
+}
+
+std::vector<PlanElement>
+ticksOf(const SheetDimension& d)
+{
+  const Eigen::Vector2d slant = 0.9 * Eigen::Vector2d(1, 1);
+  return {segment(d.start - slant, d.start + slant),
+          segment(d.end - slant, d.end + slant)};
+}
+
 std::vector<DimensionRow>
 rowsAround(const Floorplan& plan, double turn, double max_wall)
 {
@@ -196,8 +202,8 @@ placedRows(std::vector<DimensionRow> rows,
     for (const DimensionRow& row : rows) {
       placed.push_back(dimensionsOf(row, box, of_walls));
       for (const SheetDimension& d : placed.back())
-        for (const Line& line : linesOf(d))
-          tried.keepOff(line.first, line.second);
+        for (const PlanElement& line : linesOf(d))
+          tried.keepOff(line.start, line.end);
     }
     bool is_complete = true;
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -217,12 +223,11 @@ placedRows(std::vector<DimensionRow> rows,
 void
 addDimensions(Sheet& sheet, const std::vector<SheetDimension>& dimensions)
 {
-  const Eigen::Vector2d slant = 0.9 * Eigen::Vector2d(1, 1);
   for (const SheetDimension& d : dimensions) {
-    for (const Line& line : linesOf(d))
-      sheet.addLine(looks::thin, {line.first, line.second});
-    for (const Eigen::Vector2d& at : {d.start, d.end})
-      sheet.addLine(looks::tick, {at - slant, at + slant});
+    for (const PlanElement& line : linesOf(d))
+      sheet.addLine(looks::thin, {line.start, line.end});
+    for (const PlanElement& tick : ticksOf(d))
+      sheet.addLine(looks::tick, {tick.start, tick.end});
     if (d.text)
       sheet.add(*d.text);
   }

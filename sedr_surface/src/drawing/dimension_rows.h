@@ -69,6 +69,13 @@ struct SheetDimension {
   std::optional<SheetText> text{}; ///< empty if there was no free space
 };
 
+/** @brief Returns the lines of a dimension: its own, and the extension lines to its
+ * corners. */
+std::vector<PlanElement> linesOf(const SheetDimension& dimension);
+
+/** @brief Returns the ticks at the ends of the line of a dimension. */
+std::vector<PlanElement> ticksOf(const SheetDimension& dimension);
+
 /** @brief A row of dimensions beside a plan. */
 struct DimensionRow {
   DimensionChain chain; ///< metres, in the frame of the walls

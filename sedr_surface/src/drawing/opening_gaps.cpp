@@ -87,34 +87,26 @@ gapOf(const Floorplan& plan, const PlanOpening& opening, double depth)
 
 } // namespace
 
-std::vector<PlanElement>
-fillingOf(const OpeningGap& gap)
-{
-  std::vector<double> shares; // of the depth of the wall
-  if (!gap.has_filling)
-    return {};
-  if (gap.kind == OpeningKind::Window)
-    shares = {0.4, 0.6};
-  if (gap.kind == OpeningKind::Door && gap.leaf.empty())
-    shares = {0.5};
-  std::vector<PlanElement> lines;
-  for (const double share : shares)
-    lines.push_back(
-        segment(gap.corners[0] + share * (gap.corners[3] - gap.corners[0]),
-                gap.corners[1] + share * (gap.corners[2] - gap.corners[1])));
-  return lines;
-}
-
-std::vector<PlanElement>
+std::vector<GapLine>
 linesOf(const OpeningGap& gap)
 {
   const auto& c = gap.corners;
-  std::vector<PlanElement> lines{segment(c[0], c[3]), segment(c[1], c[2])};
+  std::vector<GapLine> lines{{segment(c[0], c[3]), looks::jamb},
+                             {segment(c[1], c[2]), looks::jamb}};
+  const auto addAlong = [&](std::initializer_list<double> shares_of_depth,
+                            const SheetLook& look) {
+    for (const double share : shares_of_depth)
+      lines.push_back(
+          {segment(c[0] + share * (c[3] - c[0]), c[1] + share * (c[2] - c[1])), look});
+  };
   if (gap.has_faces)
-    lines.insert(lines.end(), {segment(c[0], c[1]), segment(c[3], c[2])});
-  const std::vector<PlanElement> filling = fillingOf(gap);
-  lines.insert(lines.end(), filling.begin(), filling.end());
-  lines.insert(lines.end(), gap.leaf.begin(), gap.leaf.end());
+    addAlong({0, 1}, looks::thin);
+  if (gap.has_filling && gap.kind == OpeningKind::Window)
+    addAlong({0.4, 0.6}, looks::thin);
+  if (gap.has_filling && gap.kind == OpeningKind::Door && gap.leaf.empty())
+    addAlong({0.5}, looks::leaf);
+  for (const PlanElement& line : gap.leaf)
+    lines.push_back({line, looks::thin});
   return lines;
 }
 
@@ -196,7 +188,7 @@ titleOf(const PlanRoom& room)
 }
 
 std::vector<std::string>
-roomTexts(const CeilingFaces& ceiling, DrawingView view, double zero)
+roomTexts(const RoomFaces& ceiling, DrawingView view, double zero)
 {
   const PlanRoom& room = ceiling.room;
   const double usual = clearHeight(room).usual;

@@ -2,14 +2,13 @@
 #include "plan_drawing.h"
 
 #include "../mesh/mesh_outlines.h"
-#include "../walls/wall_band.h"
-#include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace pcl::sedr {
@@ -17,28 +16,14 @@ namespace {
 
 using namespace sheet_measures;
 
-/** @brief Draws a plan on a sheet, from the ground up. */
-class PlanPainter {
+/** @brief Draws on a sheet, from the ground up. */
+class DrawingPainter {
 public:
-  PlanPainter(Sheet& sheet, const Drawing& drawing)
+  DrawingPainter(Sheet& sheet, const Drawing& drawing)
       : sheet_(sheet)
       , drawing_(drawing)
       , frame_(drawing.layout.frame)
   {}
-
-  void addRoom(const PlanRoom& room)
-  {
-    addArea(looks::room, wallLoops(room));
-    for (const PlanNiche& niche : room.niches)
-      addArea(styleOf(PlanLayer::Niche).line, {niche.boundary});
-    for (const PlanLine& line : drawing_.lines)
-      if (line.room == room.id && isOpen(line.layer))
-        addLine(styleOf(line.layer, drawing_.view).line, line.element);
-    for (const PlanLoop& column : room.columns)
-      if (!isIsland(room, column))
-        addArea(styleOf(PlanLayer::Column).line, {column});
-    addWalls(room);
-  }
 
   /** @brief Fills walls and slabs, lightly where their thickness was assumed. */
   void addBodies()
@@ -50,24 +35,15 @@ public:
     }
   }
 
-  /** @brief Draws the far sides of walls, over all bodies. */
-  void addFarSides()
+  /** @brief Draws what is of a room, or with 0 of none; faces of walls over all that
+   * ends at them. */
+  void addRoom(std::uint32_t room)
   {
-    for (const PlanLine& line : drawing_.lines)
-      if (line.room == 0)
-        addLine(styleOf(line.layer).line, line.element);
-  }
-
-  /** @brief Draws the outline of a room, guesses in their own look over it. */
-  void addWalls(const PlanRoom& room)
-  {
-    const SheetLook& wall = styleOf(PlanLayer::Wall).line;
-    const SheetLook gap{no_colour, looks::room_colour, 1.2 * wall.width};
-    addArea(wall, wallLoops(room));
-    for (const SheetLook& look : {gap, styleOf(PlanLayer::Guess).line})
-      for (const PlanLine& line : drawing_.lines)
-        if (line.room == room.id && line.layer == PlanLayer::Guess)
-          addLine(look, line.element);
+    for (const Drawing::Ground& ground : drawing_.grounds)
+      if (ground.room == room)
+        addArea(ground.look, ground.loops);
+    for (const bool are_walls : {false, true})
+      addLines(room, are_walls);
   }
 
   /** @brief Draws a gap in the walls, over both faces. */
@@ -76,30 +52,13 @@ public:
     std::vector<Eigen::Vector2d> c;
     for (const Eigen::Vector2d& corner : opening.corners)
       c.push_back(frame_(corner));
-    SheetLook gap = styleOf(PlanLayer::Door).line;
-    sheet_.addLine(gap, {c[0], c[1], c[2], c[3], c[0]}, true);
-    gap = {no_colour, gap.fill, 1.6 * styleOf(PlanLayer::Wall).line.width};
+    sheet_.addLine(looks::room, {c[0], c[1], c[2], c[3], c[0]}, true);
+    const SheetLook gap{no_colour, looks::room_colour,
+                        1.6 * styleOf(PlanLayer::Wall).line.width};
     sheet_.addLine(gap, {c[0], c[1]});
     sheet_.addLine(gap, {c[2], c[3]});
-    sheet_.addLine(looks::jamb, {c[0], c[3]});
-    sheet_.addLine(looks::jamb, {c[1], c[2]});
-    if (opening.has_faces) {
-      sheet_.addLine(looks::thin, {c[0], c[1]});
-      sheet_.addLine(looks::thin, {c[2], c[3]});
-    }
-    for (const PlanElement& line : fillingOf(opening))
-      sheet_.addLine(opening.kind == OpeningKind::Door ? looks::leaf : looks::thin,
-                     {frame_(line.start), frame_(line.end)});
-    for (const PlanElement& line : opening.leaf)
-      addLine(looks::thin, line);
-  }
-
-  void addArea(const SheetLook& look, const std::vector<PlanLoop>& loops)
-  {
-    SheetPath path{look, {}, true};
-    for (const PlanLoop& loop : loops)
-      path.chains.push_back(frame_(loop));
-    sheet_.add(path);
+    for (const GapLine& line : linesOf(opening))
+      addLine(line.look, line.element);
   }
 
   void addLine(const SheetLook& look, const PlanElement& element)
@@ -108,10 +67,33 @@ public:
   }
 
 private:
-  /** @brief Returns whether the lines of a layer are no outlines of areas. */
-  static bool isOpen(PlanLayer layer)
+  void addArea(const SheetLook& look, const std::vector<PlanLoop>& loops)
   {
-    return layer >= PlanLayer::Ceiling && layer <= PlanLayer::Stair;
+    SheetPath path{look, {}, true};
+    for (const PlanLoop& loop : loops)
+      path.chains.push_back(frame_(loop));
+    sheet_.add(path);
+  }
+
+  /** @brief Draws the lines of a room, connected where one starts at the end of the
+   * last one. */
+  void addLines(std::uint32_t room, bool are_walls)
+  {
+    std::vector<SheetPath> paths;
+    const PlanLine* last = nullptr;
+    for (const PlanLine& line : drawing_.lines) {
+      if (line.room != room || isWall(line.layer) != are_walls)
+        continue;
+      if (!last || last->layer != line.layer || last->element.end != line.element.start)
+        paths.push_back({styleOf(line.layer, drawing_.view).line, {{}}});
+      paths.back().chains.front().elements.push_back(frame_(line.element));
+      last = &line;
+    }
+    for (SheetPath& path : paths) {
+      const std::vector<PlanElement>& elements = path.chains.front().elements;
+      path.is_closed = elements.front().start == elements.back().end;
+      sheet_.add(path);
+    }
   }
 
   Sheet& sheet_;
@@ -197,7 +179,13 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
     addBodies(bands, rooms, is_assumed);
   }
   for (const PlanRoom& room : plan.rooms) {
-    const CeilingFaces& ceiling = surfaces_.emplace_back(room).faces;
+    grounds.push_back({looks::room, wallLoops(room), room.id});
+    for (const PlanNiche& niche : room.niches)
+      grounds.push_back({looks::room, {niche.boundary}, room.id});
+    for (const PlanLoop& column : room.columns)
+      if (!isIsland(room, column))
+        grounds.push_back({looks::column, {column}, room.id});
+    const RoomFaces& ceiling = surfaces_.emplace_back(room).faces;
     area += view == DrawingView::Floor ? ceiling.room.area() : ceiling.area();
     if (view == DrawingView::Floor)
       outlines.push_back(ceiling.room.boundary);
@@ -285,7 +273,7 @@ PlanDrawing::draw(double finest)
 }
 
 Sheet
-planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
+sheetOf(const Drawing& drawing, const DrawingSettings& settings)
 {
   const TitleTexts& texts = drawing.title;
   Sheet sheet;
@@ -296,14 +284,17 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
       (texts.part == "all" ? "" : ", " + texts.part);
   if (!settings.origin.isZero())
     sheet.description = settings.origin.comment();
-  if (drawing.plan.rooms.empty())
+  if (drawing.grounds.empty())
     return sheet;
-  PlanPainter painter(sheet, drawing);
+  DrawingPainter painter(sheet, drawing);
   sheet.add(SheetGroup{"walls"});
   painter.addBodies();
-  painter.addFarSides();
-  for (const PlanRoom& room : drawing.plan.rooms) {
-    sheet.add(SheetGroup{"room_" + std::to_string(room.id)});
+  std::set<std::uint32_t> rooms{0};
+  for (const PlanLine& line : drawing.lines)
+    rooms.insert(line.room);
+  for (const std::uint32_t room : rooms) {
+    if (room != 0)
+      sheet.add(SheetGroup{"room_" + std::to_string(room)});
     painter.addRoom(room);
   }
   sheet.add(SheetGroup{"openings"});
@@ -320,32 +311,6 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
   addDimensions(sheet, drawing.dimensions);
   sheet.add(SheetGroup{"title"});
   addTitleBlock(sheet, drawing.layout, settings, texts);
-  return sheet;
-}
-
-Sheet
-cutSheet(const CutDrawing& drawing, const DrawingSettings& settings)
-{
-  Sheet sheet;
-  sheet.size = drawing.layout.size;
-  sheet.title = drawing.title.usual_title;
-  PlanPainter painter(sheet, drawing);
-  painter.addBodies();
-  for (const PlanLoop& outline : drawing.outlines)
-    painter.addArea(looks::room, {outline});
-  for (const PlanLine& line : drawing.lines) {
-    SheetLook look = styleOf(line.layer).line;
-    if (look.stroke == no_colour)
-      look = looks::jamb;
-    look.fill = no_colour;
-    painter.addLine(look, line.element);
-  }
-  for (const OpeningGap& opening : drawing.openings)
-    painter.addOpening(opening);
-  for (const PlanText& text : drawing.texts.texts)
-    sheet.add(text.text);
-  addDimensions(sheet, drawing.dimensions);
-  addTitleBlock(sheet, drawing.layout, settings, drawing.title);
   return sheet;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../overhead/ceiling_faces.h"
+#include "../overhead/room_faces.h"
 #include "../sheet/text_places.h"
 #include "../walls/wall_band.h"
 #include "dimension_rows.h"
@@ -41,13 +41,16 @@ layerOf(const OpeningGap& gap)
   return gap.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
 }
 
-/** @brief Returns the lines along a gap of what shuts it, metres: two of a window, one
- * of a door whose leaves are not known; none for other gaps. */
-std::vector<PlanElement> fillingOf(const OpeningGap& gap);
+/** @brief A line of a gap, metres, and how it looks on a sheet. */
+struct GapLine {
+  PlanElement element;
+  SheetLook look;
+};
 
 /** @brief Returns all lines of a gap: its jambs, both faces below a window, what shuts
- * it, leaves and swings. */
-std::vector<PlanElement> linesOf(const OpeningGap& gap);
+ * it, leaves and swings. Two lines along a gap shut a window, one a door whose leaves
+ * are not known. */
+std::vector<GapLine> linesOf(const OpeningGap& gap);
 
 /** @brief Returns what is left of the face of a wall beside gaps in it. */
 std::vector<PlanElement> cutAtGaps(const PlanElement& element,
@@ -78,7 +81,7 @@ struct DrawnSurfaces {
   /** @brief Finds the lines, see surfaceLines(). */
   void findLines(double finest);
 
-  CeilingFaces faces;
+  RoomFaces faces;
   SurfaceLines ceiling{};
   SurfaceLines floor{};
 };
@@ -155,7 +158,7 @@ std::string titleOf(const PlanRoom& room);
  * its ceiling the area, and the heights if it is not level.
  * @param zero height of level 0 */
 std::vector<std::string>
-roomTexts(const CeilingFaces& ceiling, DrawingView view, double zero);
+roomTexts(const RoomFaces& ceiling, DrawingView view, double zero);
 
 /** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
  * shapes. */
@@ -172,8 +175,16 @@ struct Drawing {
     bool is_assumed = false; ///< the thickness of a wall
   };
 
+  /** @brief A floor, a niche, a column, or a room that is cut; metres. */
+  struct Ground {
+    SheetLook look;
+    std::vector<PlanLoop> loops;
+    std::uint32_t room = 0; ///< below the lines of it
+  };
+
   DrawingView view = DrawingView::Floor;
   SheetLayout layout;
+  std::vector<Ground> grounds;
   std::vector<PlanLoop> outlines; ///< of rooms, metres, as the next two
   std::vector<Body> bodies;
   std::vector<PlanLine> lines;
@@ -226,8 +237,7 @@ sheetText(const Sheet& sheet, DrawingFormat format)
 }
 
 /** @brief Returns the drawing as a sheet. */
-Sheet cutSheet(const CutDrawing& drawing, const DrawingSettings& settings);
-Sheet planSheet(const PlanDrawing& drawing, const DrawingSettings& settings);
+Sheet sheetOf(const Drawing& drawing, const DrawingSettings& settings);
 
 /** @brief Returns a drawing without a plan, such as a section, as DXF. */
 std::string dxfOf(const Drawing& drawing, const DrawingSettings& settings);

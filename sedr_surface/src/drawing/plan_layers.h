@@ -50,6 +50,7 @@ namespace looks {
 constexpr SheetColour room_colour = 0xf6f3ec;
 constexpr SheetColour blue = 0x2b62a8;
 inline const SheetLook room{room_colour};
+inline const SheetLook column{0x7d7d7d};
 inline const SheetLook wall_body{0xbdb8ae};
 inline const SheetLook assumed_body{0xe6e3dc};
 inline const SheetLook jamb{no_colour, ink, 0.25};
@@ -65,10 +66,10 @@ inline const std::array<LayerStyle, 22> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
-     {"A-COLS", 1, false, {0x7d7d7d, ink, 0.35}, 0x444444},
-     {"A-WALL-NICH", 6, false, {looks::room_colour, 0x333333, 0.3}, ink},
-     {"A-DOOR", 4, false, {looks::room_colour, no_colour, 0}, 0x444444},
-     {"A-GLAZ", 4, false, {looks::room_colour, no_colour, 0}, 0x444444},
+     {"A-COLS", 1, false, {no_colour, ink, 0.35}, 0x444444},
+     {"A-WALL-NICH", 6, false, {no_colour, 0x333333, 0.3}, ink},
+     {"A-DOOR", 4, false, {no_colour, ink, 0.25}, 0x444444},
+     {"A-GLAZ", 4, false, {no_colour, ink, 0.25}, 0x444444},
      {"A-CLNG", 5, true, {no_colour, looks::blue, 0.2, {1.8, 0.9}}, looks::blue},
      {"A-CLNG-RIDG",
       5,

@@ -241,29 +241,15 @@ public:
   /** @brief Adds an arrow up each slope of the floor or ceiling. */
   void addSlopes(SurfaceSide side, const SurfaceLines& lines)
   {
-    const bool is_floor = side == SurfaceSide::Floor;
-    const std::vector<PlanDetail>& details =
-        is_floor ? room_.floor_details : room_.details;
-    for (const std::size_t d : lines.largest(details)) {
-      std::vector<PlanLoop> others = room_.columns;
-      others.insert(others.end(), details[d].holes.begin(), details[d].holes.end());
-      for (std::size_t later = d + 1; later < details.size(); ++later)
-        others.push_back(details[later].boundary);
-      addSlope(details[d].slab, details[d].boundary, others, is_floor);
-    }
-    std::vector<PlanLoop> others = room_.columns;
-    for (const PlanDetail& detail : details)
-      others.push_back(detail.boundary);
-    addSlope(is_floor ? room_.floor : room_.ceiling, room_.boundary, others, is_floor);
+    for (const NotedPart& part : lines.noted(room_, side))
+      addSlope(part, side == SurfaceSide::Floor);
   }
 
 private:
   /** @brief Adds an arrow with its share as note, of a ceiling its angle. */
-  void addSlope(const PlanSlab& slab,
-                const PlanLoop& outline,
-                const std::vector<PlanLoop>& others,
-                bool is_floor)
+  void addSlope(const NotedPart& part, bool is_floor)
   {
+    const PlanSlab& slab = part.slab;
     constexpr double least = 0.01; // of a slope
     const auto upAt = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
       const Eigen::Vector3d normal = slab.normalAt(p);
@@ -272,7 +258,7 @@ private:
     if (is_floor ? !slab.curve && upAt({0, 0}).norm() < least
                  : slab.curve || isLevel(slab)) // curved ceilings have contours
       return;
-    const TextSpot spot = textSpotIn(outline, others);
+    const TextSpot spot = textSpotIn(part.outline, part.others);
     const Eigen::Vector2d up = upAt(spot.place);
     const double reach = std::min(0.8 * spot.radius, 1.0); // metres
     if (up.norm() < least || reach < 0.2 || !room_.contains(spot.place))

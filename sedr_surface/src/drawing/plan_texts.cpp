@@ -43,40 +43,23 @@ public:
     return spot;
   }
 
-  /** @brief Writes the height of each part of the floor, or of the ceiling but its main
-   * slab, over the room's floor, off the room's text. */
-  void writeLevels(const PlanRoom& room,
-                   const std::vector<PlanDetail>& details,
-                   const SurfaceLines& lines,
-                   const TextSpot& room_text,
-                   PlanLayer layer)
-  {
-    for (const std::size_t d : lines.largest(details)) {
-      const PlanDetail& detail = details[d];
-      std::vector<PlanLoop> others = detail.holes;
-      for (std::size_t later = d + 1; later < details.size(); ++later)
-        if (boundsOf(details[later].boundary).intersects(boundsOf(detail.boundary)))
-          others.push_back(details[later].boundary);
-      writeLevel(room, detail.slab, detail.boundary, others, room_text, layer);
-    }
-  }
-
-  /** @brief Writes the height of a level slab where nothing else is above it. */
+  /** @brief Writes the height of a level part over the room's floor, where nothing else
+   * is and off the room's text. */
   void writeLevel(const PlanRoom& room,
-                  const PlanSlab& slab,
-                  const PlanLoop& outline,
-                  std::vector<PlanLoop> others,
+                  const NotedPart& part,
                   const TextSpot& room_text,
                   PlanLayer layer)
   {
-    if (!isLevel(slab))
+    if (!isLevel(part.slab))
       return;
+    std::vector<PlanLoop> others = part.others;
     others.push_back(circleAbout(room_text));
-    TextSpot spot = textSpotIn(outline, others);
+    TextSpot spot = textSpotIn(part.outline, others);
     if (spot.radius <= 0 || !room.contains(spot.place))
       return;
     spot.radius = std::min(spot.radius, room.boundary.distance(spot.place));
-    const double height = slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
+    const double height =
+        part.slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
     const bool has_sign = layer == PlanLayer::Floor && height > 0;
     writeAt(layer, room.boundary, spot,
             {(has_sign ? "+" : "") + decimalText(height, 2)}, small_font);
@@ -321,18 +304,12 @@ placedTexts(const Floorplan& plan,
     writeStairs(plan, writer);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    if (!is_floor && surfaces[r].faces.area(0) > 0) {
-      std::vector<PlanLoop> others = room.columns;
-      for (const PlanDetail& detail : room.details)
-        others.push_back(detail.boundary);
-      writer.writeLevel(room, room.ceiling, room.boundary, others, room_texts[r],
-                        PlanLayer::Height);
-    }
-    writer.writeLevels(room, room.details, surfaces[r].ceiling, room_texts[r],
-                       PlanLayer::Height);
-    if (is_floor)
-      writer.writeLevels(room, room.floor_details, surfaces[r].floor, room_texts[r],
-                         PlanLayer::Floor);
+    for (const NotedPart& part : surfaces[r].ceiling.noted(room, SurfaceSide::Ceiling))
+      if (&part.slab != &room.ceiling || (!is_floor && surfaces[r].faces.area(0) > 0))
+        writer.writeLevel(room, part, room_texts[r], PlanLayer::Height);
+    for (const NotedPart& part : surfaces[r].floor.noted(room, SurfaceSide::Floor))
+      if (&part.slab != &room.floor && is_floor)
+        writer.writeLevel(room, part, room_texts[r], PlanLayer::Floor);
   }
   for (const PlanLine& line : lines)
     writer.writeAlong(

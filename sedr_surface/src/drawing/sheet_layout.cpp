@@ -6,6 +6,7 @@
 #include "plan_layers.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
+#include "sedr_segmentation/src/proposals/main_angles.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <vector>
 
 namespace pcl::sedr {
@@ -48,58 +48,35 @@ usualScale(std::size_t k)
   return steps[k % 3] * std::pow(10.0, static_cast<double>(k / 3));
 }
 
-/** @brief Returns the angle of a straight wall modulo a quarter turn: above -45
- * degrees, up to 45. */
-double
-quarterAngle(const PlanElement& e)
-{
-  const Eigen::Vector2d way = e.end - e.start;
-  return std::remainder(std::atan2(way.y(), way.x()), M_PI / 2);
-}
-
 /** @brief Returns the direction of most walls by length, within 45 degrees of x;
  * radians. 0 if it is within half a degree of x, or if there is no common direction, as
  * in a round room. */
 double
 mainDirection(const Floorplan& plan)
 {
-  constexpr double along = 3 * M_PI / 180;
-  constexpr double min_turn = 0.5 * M_PI / 180;
-  constexpr std::size_t most_tried = 400; // walls: more have no other direction
-  struct Wall {
-    double angle;
-    double length;
-  };
-  std::vector<Wall> walls;
+  const double along = radians(3);
+  const double min_turn = radians(0.5);
+  std::vector<double> angles; // of straight walls
+  std::vector<double> lengths;
   double whole = 0;
   for (const PlanRoom& room : plan.rooms)
     for (const PlanElement& e : room.boundary.elements) {
       whole += e.length();
-      if (!e.isArc())
-        walls.push_back({quarterAngle(e), e.length()});
+      if (e.isArc())
+        continue;
+      angles.push_back(std::atan2(e.end.y() - e.start.y(), e.end.x() - e.start.x()));
+      lengths.push_back(e.length());
     }
-  double best = 0;
-  double best_length = 0;
-  for (std::size_t k = 0; k < walls.size(); k += walls.size() / most_tried + 1) {
-    const double angle = walls[k].angle;
-    std::map<double, double> lengths; // by angles off this one
-    double length = 0;
-    for (const Wall& wall : walls)
-      if (const double off = std::remainder(wall.angle - angle, M_PI / 2);
-          std::abs(off) <= along) {
-        lengths[off] += wall.length;
-        length += wall.length;
-      }
-    if (length <= best_length * (1 + 1e-9))
-      continue;
-    best_length = length;
-    auto middle = lengths.begin(); // a wall that is off does not turn the others
-    for (double half = length / 2; half > middle->second; ++middle)
-      half -= middle->second;
-    best = std::remainder(angle + middle->first, M_PI / 2);
+  for (const double angle : mainAngles(angles, lengths, 1, 0)) {
+    double agreeing = 0;
+    for (std::size_t k = 0; k < angles.size(); ++k)
+      if (std::abs(std::remainder(angles[k] - angle, M_PI / 2)) <= along)
+        agreeing += lengths[k];
+    const double turn = std::remainder(angle, M_PI / 2);
+    if (agreeing > 0.3 * whole && std::abs(turn) > min_turn)
+      return turn;
   }
-  const bool do_agree = best_length > 0.3 * whole;
-  return do_agree && std::abs(best) > min_turn ? best : 0;
+  return 0;
 }
 
 /** @brief Finds the scale and the paper of a plan.

@@ -149,8 +149,8 @@ private:
     constexpr int has_attributes = 2;
     DxfBlock& block = file_.addBlock(opening.mark, has_attributes);
     block.declare(layer, attributes);
-    for (const PlanElement& line : linesOf(opening))
-      block.element(layer, local(line));
+    for (const GapLine& line : linesOf(opening))
+      block.element(layer, local(line.element));
     model_.insert(layer, opening.mark, opening.corners[0], turn * 180 / M_PI,
                   attributes);
   }
@@ -161,30 +161,18 @@ private:
   {
     if (!on_sheet.text)
       return;
-    const Eigen::Vector2d from = frame_.toPlan(on_sheet.from);
-    const Eigen::Vector2d to = frame_.toPlan(on_sheet.to);
-    const Eigen::Vector2d start = frame_.toPlan(on_sheet.start);
-    const Eigen::Vector2d end = frame_.toPlan(on_sheet.end);
-    const Eigen::Vector2d text = frame_.toPlan(on_sheet.text->place);
-    const double height = heightOf(small_font);
-    const double length = (end - start).norm();
-    const Eigen::Vector2d way = (end - start) / length;
     constexpr int anonymous = 1;
     DxfBlock& block = file_.addBlock("*D" + std::to_string(++dimensions_), anonymous);
-    const Eigen::Vector2d tick =
-        height / 3 * Eigen::Vector2d(way.x() - way.y(), way.x() + way.y());
-    if (start != from) { // else it is the wall itself, which may have openings
-      block.line("0", start, end);
-      block.line("0", start - tick, start + tick);
-      block.line("0", end - tick, end + tick);
-    }
-    for (const auto& [corner, at] : {std::pair(from, start), std::pair(to, end)}) {
-      const double distance = (at - corner).norm();
-      const Eigen::Vector2d out = (at - corner) / std::max(distance, 1e-9);
-      if (distance > 3 * height)
-        block.line("0", corner + height / 2 * out, at + height / 2 * out);
-    }
-    block.label("0", text, height, decimalText(length, 2),
+    if (on_sheet.start != on_sheet.from) // else it is the wall, which may have openings
+      for (const auto& lines : {linesOf(on_sheet), ticksOf(on_sheet)})
+        for (const PlanElement& line : lines)
+          block.line("0", frame_.toPlan(line.start), frame_.toPlan(line.end));
+    const Eigen::Vector2d from = frame_.toPlan(on_sheet.from);
+    const Eigen::Vector2d to = frame_.toPlan(on_sheet.to);
+    const Eigen::Vector2d end = frame_.toPlan(on_sheet.end);
+    const Eigen::Vector2d way = end - frame_.toPlan(on_sheet.start);
+    const Eigen::Vector2d text = frame_.toPlan(on_sheet.text->place);
+    block.label("0", text, heightOf(small_font), decimalText(way.norm(), 2),
                 degreesInPlan(*on_sheet.text));
     model_.dimension(styleOf(PlanLayer::Dimension).dxf_name,
                      {from, to, end, text, std::atan2(way.y(), way.x()) * 180 / M_PI},
@@ -249,7 +237,7 @@ drawFloorplan(const Floorplan& plan,
     drawing.draw(finest(format));
     files.push_back(format == DrawingFormat::Dxf
                         ? dxfOf(drawing, plan, settings)
-                        : sheetText(planSheet(drawing, settings), format));
+                        : sheetText(sheetOf(drawing, settings), format));
   }
   return files;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_bodies.h"
 #include "ifc_parts.h"
-#include "level_slab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +34,15 @@ isBeam(const PlanDetail& detail)
 void
 writeDetail(IfcDocument& document,
             const IfcRoom& written,
-            const std::string& name,
+            const std::string& part,
             const PlanSlab& slab,
             const SurfaceAccuracy& accuracy,
             const char* type,
             const char* kind)
 {
   constexpr double thinnest = 0.001;
-  const std::vector<std::size_t> triangles = trianglesOn(written, {name});
+  const std::string name = nameIn(written.room, part);
+  const std::vector<std::size_t> triangles = written.trianglesOf({part});
   if (triangles.empty())
     return;
   const bool is_up = slab.heightAt(written.solid.corner(triangles[0], 0).head<2>()) >
@@ -132,23 +133,19 @@ writeDetails(IfcDocument& document)
       if (!isIsland(room, room.columns[c]))
         writeColumn(document, r, c);
     for (std::size_t d = 0; d < room.details.size(); ++d) {
-      const std::string name = nameIn(room, "detail_" + std::to_string(d + 1));
-      const auto element =
-          std::find_if(written.elements.begin(), written.elements.end(),
-                       [&](const SolidElement& e) { return e.name == name; });
-      if (element == written.elements.end() ||
-          element->label == StructureLabel::Ceiling ||
-          sideOf(room.details[d], room.ceiling) >= 0)
+      const PlanDetail& detail = room.details[d];
+      if (detail.is_facet || sideOf(detail, room.ceiling) >= 0)
         continue;
-      const bool is_beam = isBeam(room.details[d]);
-      writeDetail(document, written, name, room.ceiling, room.details[d].slab.accuracy,
-                  is_beam ? "IFCBEAM" : "IFCCOVERING", is_beam ? "BEAM" : "CEILING");
+      const bool is_beam = isBeam(detail);
+      writeDetail(document, written, "detail_" + std::to_string(d + 1), room.ceiling,
+                  detail.slab.accuracy, is_beam ? "IFCBEAM" : "IFCCOVERING",
+                  is_beam ? "BEAM" : "CEILING");
     }
     for (std::size_t d = 0; d < room.floor_details.size(); ++d)
       if (sideOf(room.floor_details[d], room.floor) > 0)
-        writeDetail(document, written,
-                    nameIn(room, "floor_detail_" + std::to_string(d + 1)), room.floor,
-                    room.floor_details[d].slab.accuracy, "IFCSLAB", "LANDING");
+        writeDetail(document, written, "floor_detail_" + std::to_string(d + 1),
+                    room.floor, room.floor_details[d].slab.accuracy, "IFCSLAB",
+                    "LANDING");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../walls/wall_band.h"
+#include "ifc_bodies.h"
 #include "ifc_parts.h"
-#include "level_slab.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
@@ -24,7 +24,7 @@ meshOf(const PlanNiche& niche, const PlanLoop& loop, const WallFrame& frame, dou
   for (Eigen::Vector3d& p : foot.vertices)
     p.z() = heightAt(niche.bottom, p);
   constexpr double min_height = 0.001;
-  return prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
+  return prismOn(foot, [&](const Eigen::Vector3d& p) {
     return std::max(heightAt(niche.top, p), p.z() + min_height);
   });
 }
@@ -51,7 +51,8 @@ writeNiches(IfcDocument& document,
     const PlanRoom& room = document.plan.rooms[r];
     for (std::size_t n = 0; n < room.niches.size(); ++n) {
       const PlanNiche& niche = room.niches[n];
-      const std::string name = nameIn(room, "niche_" + std::to_string(n + 1));
+      const std::string own = "niche_" + std::to_string(n + 1);
+      const std::string name = nameIn(room, own);
       const Eigen::Vector2d middle = boundsOf(niche.boundary).center();
       const double bottom = niche.bottom.heightAt(middle);
       const double height = niche.top.heightAt(middle) - bottom;
@@ -61,15 +62,15 @@ writeNiches(IfcDocument& document,
       const IfcRoom& written = document.rooms[r];
       const bool is_built =
           written.solid.empty() ||
-          !trianglesOn(written, {name + "_bottom", name + "_top"}).empty();
+          !written.trianglesOf({own + "_bottom", own + "_top"}).empty();
       std::size_t count = 0;
       for (WrittenWall& wall : walls) {
         const PlanLoop loop = inFrame(niche.boundary, wall.frame);
-        if (!is_built || height <= 0 || bottom >= wall.top ||
-            bottom + height <= wall.bottom ||
+        if (!is_built || height <= 0 || bottom >= wall.top() ||
+            bottom + height <= wall.bottom() ||
             commonArea(wall.profile, {loop}) <= no_area)
           continue;
-        const double low = bottom - wall.bottom;
+        const double low = bottom - wall.bottom();
         if (std::any_of(gaps.begin(), gaps.end(), [&](const WrittenGap& gap) {
               return gap.wall == &wall && isInGap(gap, loop, low, low + height);
             })) {
@@ -80,7 +81,7 @@ writeNiches(IfcDocument& document,
         writeOpening(document, wall, name + part,
                      is_level ? document.shapes.extrusion(loop, {}, low, height)
                               : document.shapes.faceSet(
-                                    meshOf(niche, loop, wall.frame, wall.bottom)),
+                                    meshOf(niche, loop, wall.frame, wall.bottom())),
                      {loop, niche.bottom, niche.top, true});
         ++count;
       }
@@ -113,10 +114,11 @@ boxIn(const Floorplan& plan,
       std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
     return false;
   constexpr double on_floor = 0.05; // a sill lower than that is none
-  const double bottom = opening.bottom - written.bottom;
+  const double bottom = opening.bottom - written.bottom();
   box.bottom = bottom < on_floor ? 0 : bottom;
-  box.top = opening.top - written.bottom;
-  if (box.top - box.bottom < no_opening || box.bottom >= written.top - written.bottom)
+  box.top = opening.top - written.bottom();
+  if (box.top - box.bottom < no_opening ||
+      box.bottom >= written.top() - written.bottom())
     return false;
   const Eigen::Vector2d start = written.frame.toLocal(opening.start);
   const Eigen::Vector2d end = written.frame.toLocal(opening.end);
@@ -171,8 +173,8 @@ writeGaps(IfcDocument& document,
           writeOpening(document, wall, name + part,
                        document.shapes.extrusion(plan, {}, box.bottom,
                                                  box.top - box.bottom, wall.runs.near),
-                       {plan, horizontalSlab(wall.bottom + box.bottom),
-                        horizontalSlab(wall.bottom + box.top)});
+                       {plan, horizontalSlab(wall.bottom() + box.bottom),
+                        horizontalSlab(wall.bottom() + box.top)});
       document.addQuantities(cut, name + part, "Qto_OpeningElementBaseQuantities",
                              {{"LENGTH", "Width", opening.width()},
                               {"LENGTH", "Height", opening.height()},
@@ -185,107 +187,102 @@ writeGaps(IfcDocument& document,
   return gaps;
 }
 
-/** @brief Adds doors and windows and their types: one for each size, to a centimetre,
- * and hand. */
-class FillingWriter {
-public:
-  explicit FillingWriter(IfcDocument& document)
-      : document_(document)
-  {}
+const char*
+operationOf(const PlanOpening& opening)
+{
+  const std::string leaf = leafOf(opening);
+  return leaf == "double"  ? "DOUBLE_DOOR_SINGLE_SWING"
+         : leaf == "left"  ? "SINGLE_SWING_LEFT"
+         : leaf == "right" ? "SINGLE_SWING_RIGHT"
+                           : "NOTDEFINED";
+}
 
-  /** @brief Fills the gap of a door or window in the middle of its wall. By IFC, a door
-   * opens towards the y axis of its placement, and its hinges are told looking that
-   * way.
-   */
-  void write(const PlanOpening& opening, const WrittenGap& gap)
-  {
-    constexpr double thickness = 0.05;
-    const bool is_door = opening.kind == OpeningKind::Door;
-    if (!is_door && opening.kind != OpeningKind::Window)
-      return;
-    const WrittenWall& wall = *gap.wall;
-    const OpeningBox& box = gap.box;
-    const std::vector<OpeningLeaf> leaves = leavesOf(opening);
-    const auto across = [&](const Eigen::Vector2d& p) {
-      return box.frame.toLocal(wall.frame.toLocal(p)).y();
-    };
-    const bool is_turned =
-        !leaves.empty() && across(leaves[0].open) < across(leaves[0].hinge);
-    const double sign = is_turned ? -1 : 1;
-    const Eigen::Vector2d middle = box.frame.toPlan(box.plan.center());
-    const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
-    const StepRef place = document_.shapes.placement(
-        wall.placement, {middle.x(), middle.y(), 0}, sign * box.frame.way);
-    const IfcBody body =
-        document_.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
-                                   box.top - box.bottom, sign * wall.runs.near);
-    const std::string mark = markOf(opening);
-    const char* const operation = operationOf(opening);
-    const StepRef filling = document_.addElement(
-        is_door ? "IFCDOOR" : "IFCWINDOW", mark, wall.storey, place,
-        document_.shapeOf(body, "opening"),
-        {rounded(opening.height()), rounded(opening.width()),
-         symbol(is_door ? "DOOR" : "WINDOW"), symbol(operation), none},
-        mark);
-    document_.relate("IFCRELFILLSELEMENT", mark + " in its opening", gap.opening,
-                     filling);
-    describe(opening, wall, filling);
-  }
+/** @brief Makes a door or window one of a type: one for each size, to a centimetre, and
+ * hand.
+ * @return the name of the type */
+std::string
+addToType(IfcDocument& document,
+          const PlanOpening& opening,
+          const std::string& kind,
+          StepRef filling)
+{
+  const std::string leaf = leafOf(opening);
+  const std::string name = kind + " " + decimalText(opening.width(), 2) + " x " +
+                           decimalText(opening.height(), 2) +
+                           (leaf.empty() ? "" : " " + leaf);
+  if (kind == "Door")
+    document.addToType("IFCDOORTYPE", name, filling,
+                       {symbol("DOOR"), symbol(operationOf(opening)), none, none});
+  else
+    document.addToType("IFCWINDOWTYPE", name, filling,
+                       {symbol("WINDOW"), symbol("NOTDEFINED"), none, none});
+  return name;
+}
 
-private:
-  static const char* operationOf(const PlanOpening& opening)
-  {
-    const std::string leaf = leafOf(opening);
-    return leaf == "double"  ? "DOUBLE_DOOR_SINGLE_SWING"
-           : leaf == "left"  ? "SINGLE_SWING_LEFT"
-           : leaf == "right" ? "SINGLE_SWING_RIGHT"
-                             : "NOTDEFINED";
-  }
+void
+describe(IfcDocument& document,
+         const PlanOpening& opening,
+         const WrittenWall& wall,
+         StepRef filling)
+{
+  const std::string kind = opening.kind == OpeningKind::Door ? "Door" : "Window";
+  const std::string mark = markOf(opening);
+  const std::string type = addToType(document, opening, kind, filling);
+  const double width = opening.width();
+  const double height = opening.height();
+  document.addQuantities(filling, mark, "Qto_" + kind + "BaseQuantities",
+                         {{"LENGTH", "Width", width},
+                          {"LENGTH", "Height", height},
+                          {"LENGTH", "Perimeter", 2 * (width + height)},
+                          {"AREA", "Area", width * height}});
+  const bool is_external = wall.is_external && opening.leadsOutside();
+  document.addProperties(filling, mark, "Pset_" + kind + "Common",
+                         {{"Reference", typed("IFCIDENTIFIER", type)},
+                          {"IsExternal", typed("IFCBOOLEAN", logical(is_external))}});
+  std::vector<Property> properties{
+      {"Confidence", shareProperty(opening.confidence)},
+      {"SillHeight",
+       typed("IFCLENGTHMEASURE", rounded(sillOf(document.plan, opening)))}};
+  appendAccuracy(accuracyOf(opening), properties);
+  document.addProperties(filling, mark, "Pset_SEDR", properties);
+}
 
-  void describe(const PlanOpening& opening, const WrittenWall& wall, StepRef filling)
-  {
-    const std::string kind = opening.kind == OpeningKind::Door ? "Door" : "Window";
-    const std::string mark = markOf(opening);
-    const std::string type = addToType(opening, kind, filling);
-    const double width = opening.width();
-    const double height = opening.height();
-    document_.addQuantities(filling, mark, "Qto_" + kind + "BaseQuantities",
-                            {{"LENGTH", "Width", width},
-                             {"LENGTH", "Height", height},
-                             {"LENGTH", "Perimeter", 2 * (width + height)},
-                             {"AREA", "Area", width * height}});
-    const bool is_external = wall.is_external && opening.leadsOutside();
-    document_.addProperties(
-        filling, mark, "Pset_" + kind + "Common",
-        {{"Reference", typed("IFCIDENTIFIER", type)},
-         {"IsExternal", typed("IFCBOOLEAN", logical(is_external))}});
-    std::vector<Property> properties{
-        {"Confidence", shareProperty(opening.confidence)},
-        {"SillHeight",
-         typed("IFCLENGTHMEASURE", rounded(sillOf(document_.plan, opening)))}};
-    appendAccuracy(accuracyOf(opening), properties);
-    document_.addProperties(filling, mark, "Pset_SEDR", properties);
-  }
-
-  /** @return the name of the type */
-  std::string
-  addToType(const PlanOpening& opening, const std::string& kind, StepRef filling)
-  {
-    const std::string leaf = leafOf(opening);
-    const std::string name = kind + " " + decimalText(opening.width(), 2) + " x " +
-                             decimalText(opening.height(), 2) +
-                             (leaf.empty() ? "" : " " + leaf);
-    if (kind == "Door")
-      document_.addToType("IFCDOORTYPE", name, filling,
-                          {symbol("DOOR"), symbol(operationOf(opening)), none, none});
-    else
-      document_.addToType("IFCWINDOWTYPE", name, filling,
-                          {symbol("WINDOW"), symbol("NOTDEFINED"), none, none});
-    return name;
-  }
-
-  IfcDocument& document_;
-};
+/** @brief Fills the gap of a door or window in the middle of its wall. By IFC, a door
+ * opens towards the y axis of its placement, and its hinges are told looking that way.
+ */
+void
+writeFilling(IfcDocument& document, const PlanOpening& opening, const WrittenGap& gap)
+{
+  constexpr double thickness = 0.05;
+  const bool is_door = opening.kind == OpeningKind::Door;
+  if (!is_door && opening.kind != OpeningKind::Window)
+    return;
+  const WrittenWall& wall = *gap.wall;
+  const OpeningBox& box = gap.box;
+  const std::vector<OpeningLeaf> leaves = leavesOf(opening);
+  const auto across = [&](const Eigen::Vector2d& p) {
+    return box.frame.toLocal(wall.frame.toLocal(p)).y();
+  };
+  const bool is_turned =
+      !leaves.empty() && across(leaves[0].open) < across(leaves[0].hinge);
+  const double sign = is_turned ? -1 : 1;
+  const Eigen::Vector2d middle = box.frame.toPlan(box.plan.center());
+  const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
+  const StepRef place = document.shapes.placement(
+      wall.placement, {middle.x(), middle.y(), 0}, sign * box.frame.way);
+  const IfcBody body =
+      document.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
+                                box.top - box.bottom, sign * wall.runs.near);
+  const std::string mark = markOf(opening);
+  const StepRef filling = document.addElement(
+      is_door ? "IFCDOOR" : "IFCWINDOW", mark, wall.storey, place,
+      document.shapeOf(body, "opening"),
+      {rounded(opening.height()), rounded(opening.width()),
+       symbol(is_door ? "DOOR" : "WINDOW"), symbol(operationOf(opening)), none},
+      mark);
+  document.relate("IFCRELFILLSELEMENT", mark + " in its opening", gap.opening, filling);
+  describe(document, opening, wall, filling);
+}
 
 /** @brief Returns whether the opening is at the boundary of both of its rooms. */
 bool
@@ -354,7 +351,7 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
       plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
         OpeningBox box;
         return boxIn(plan, wall, opening, beside, box) && box.bottom <= 0 &&
-               box.top >= wall.top - wall.bottom - min_wall_height &&
+               box.top >= wall.top() - wall.bottom() - min_wall_height &&
                std::abs(
                    largestPartOutside(wall.profile, {{box.loop()}}).boundary.area()) <
                    no_area;
@@ -368,13 +365,12 @@ writeOpenings(IfcDocument& document, std::vector<WrittenWall>& walls)
   std::vector<WrittenGap> all;
   std::string outside; // numbers of openings in no wall
   double count = 0;    // of these
-  FillingWriter fillings(document);
   for (const PlanOpening& opening : plan.openings) {
     const std::string name = "opening_" + markOf(opening);
     const std::vector<WrittenGap> gaps = writeGaps(document, walls, opening, name);
     all.insert(all.end(), gaps.begin(), gaps.end());
     if (!gaps.empty())
-      fillings.write(opening, gaps.front());
+      writeFilling(document, opening, gaps.front());
     else if (!writePassage(document, opening, name)) {
       outside += (outside.empty() ? "" : ", ") + markOf(opening);
       ++count;

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../overhead/ceiling_faces.h"
+#include "../overhead/room_faces.h"
 #include "../walls/wall_band.h"
+#include "ifc_bodies.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 #include "step_file.h"
-#include "wall_body.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,10 +31,11 @@ struct Quantity {
 };
 
 /** @brief A room and the entities written for it so far. */
-struct IfcRoom : CeilingFaces {
-  using CeilingFaces::CeilingFaces;
+struct IfcRoom : RoomFaces {
+  using RoomFaces::RoomFaces;
   std::size_t storey = 0; ///< index
   StepRef space;
+  bool is_swept = false; ///< its space, from its plan
 };
 
 /** @brief A storey and the entities written for it so far. */
@@ -172,12 +172,13 @@ struct WrittenWall : WallBody {
   std::string name{};
   std::size_t storey = 0;
   StepRef ref{};
-  StepRef placement{}; ///< of the frame, z from the wall's bottom
-  double bottom = 0;   ///< metres
-  double top = 0;
+  StepRef placement{};         ///< of the frame, z from the wall's bottom
   std::vector<WallCut> cuts{}; ///< openings and niches in it
   bool is_external = false;
   std::string number{}; ///< on the sheet
+
+  double bottom() const { return heights.bottom; }
+  double top() const { return heights.highest(); }
 };
 
 /** @brief Adds a space with quantities for each room. */
@@ -247,21 +248,6 @@ void writeBoundary(IfcDocument& document,
                    StepRef element,
                    const char* side = "INTERNAL",
                    const char* kind = "PHYSICAL");
-
-/** @brief Returns the triangles of a room's solid that belong to some of its parts, by
- * the names of SolidElement. */
-std::vector<std::size_t> trianglesOn(const IfcRoom& room,
-                                     const std::vector<std::string>& names);
-
-/** @brief Returns the triangles of a room's floors in plan; those of niches are not
- * floors. None if the body of its space is swept from its plan. */
-std::vector<PlanLoop> floorTriangles(const IfcRoom& room);
-
-/** @brief Returns the triangles in plan of the top of a room's solid all corners of
- * which satisfy a condition. */
-std::vector<PlanLoop>
-topTriangles(const IfcRoom& room,
-             const std::function<bool(const Eigen::Vector3d&)>& isTop);
 
 /** @brief Returns the name of a part of a room: "room_1_wall". */
 std::string nameIn(const PlanRoom& room, const std::string& part);

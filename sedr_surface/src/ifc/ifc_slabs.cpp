@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ifc_bodies.h"
 #include "ifc_parts.h"
-#include "level_slab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,10 +142,10 @@ private:
     const PlanRoom& room = written.room;
     const SlabBelow below = slabBelow(document_.plan, boxes_, r);
     const bool is_assumed = below.rooms.empty();
-    std::vector<std::string> parts{nameIn(room, "floor")};
+    std::vector<std::string> parts{"floor"};
     for (std::size_t d = 0; d < room.floor_details.size(); ++d)
       if (sideOf(room.floor_details[d], room.floor) < 0)
-        parts.push_back(nameIn(room, "floor_detail_" + std::to_string(d + 1)));
+        parts.push_back("floor_detail_" + std::to_string(d + 1));
     const auto slab =
         add(r, "floor_slab", room.floor,
             -(is_assumed ? document_.settings.assumed_thickness : below.thickness),
@@ -165,22 +165,17 @@ private:
         std::any_of(room.details.begin(), room.details.end(),
                     [&](const PlanDetail& d) { return sideOf(d, room.ceiling) > 0; });
     add(r, "ceiling_slab", room.ceiling, document_.settings.assumed_thickness, true,
-        !has_recess && !hasSlopingCeiling(room), ceilingParts(r), "ceiling", "ROOF");
+        !has_recess && !hasSlopingCeiling(room), ceilingParts(room), "ceiling", "ROOF");
   }
 
   /** @brief Returns the parts of the ceiling with facets and recesses, without what
    * hangs below. */
-  std::vector<std::string> ceilingParts(std::size_t r) const
+  static std::vector<std::string> ceilingParts(const PlanRoom& room)
   {
-    const IfcRoom& written = document_.rooms[r];
-    const PlanRoom& room = written.room;
-    std::vector<std::string> parts;
-    for (const SolidElement& element : written.elements)
-      if (element.label == StructureLabel::Ceiling)
-        parts.push_back(element.name);
+    std::vector<std::string> parts{"ceiling"};
     for (std::size_t d = 0; d < room.details.size(); ++d)
-      if (sideOf(room.details[d], room.ceiling) > 0)
-        parts.push_back(nameIn(room, "detail_" + std::to_string(d + 1)));
+      if (room.details[d].is_facet || sideOf(room.details[d], room.ceiling) > 0)
+        parts.push_back("detail_" + std::to_string(d + 1));
     return parts;
   }
 
@@ -190,7 +185,7 @@ private:
   bodyOn(std::size_t r, const std::vector<std::string>& parts, double thickness) const
   {
     const IfcRoom& written = document_.rooms[r];
-    const std::vector<std::size_t> triangles = trianglesOn(written, parts);
+    const std::vector<std::size_t> triangles = written.trianglesOf(parts);
     double end = -std::numeric_limits<double>::infinity();
     const double sign = thickness < 0 ? -1 : 1;
     for (const std::size_t t : triangles)
@@ -212,19 +207,6 @@ private:
 };
 
 } // namespace
-
-std::vector<std::size_t>
-trianglesOn(const IfcRoom& written, const std::vector<std::string>& names)
-{
-  std::vector<std::size_t> found;
-  for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
-    const std::uint32_t e = written.solid.elements[t];
-    if (e > 0 && std::find(names.begin(), names.end(), written.elements[e - 1].name) !=
-                     names.end())
-      found.push_back(t);
-  }
-  return found;
-}
 
 void
 writeSlabs(IfcDocument& document)

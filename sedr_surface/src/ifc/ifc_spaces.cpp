@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../schedule/room_row.h"
+#include "ifc_bodies.h"
 #include "ifc_parts.h"
-#include "level_slab.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -56,21 +55,6 @@ prismOf(const IfcRoom& written)
   return Prism{*floor, *ceiling};
 }
 
-/** @brief Returns in plan the triangles that satisfy a condition and face up, or down
- * for a `sign` of -1. */
-template <typename IsWanted>
-std::vector<PlanLoop>
-inPlan(const TriangleMesh& mesh, int sign, IsWanted isWanted)
-{
-  std::vector<PlanLoop> found;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (sign * mesh.scaledNormal(t).z() > 0 && isWanted(t))
-      found.push_back(
-          loopOf({mesh.corner(t, 1 - sign).head<2>(), mesh.corner(t, 1).head<2>(),
-                  mesh.corner(t, 1 + sign).head<2>()}));
-  return found;
-}
-
 /** @brief Returns the largest residual of floor, ceiling and walls, metres. */
 double
 largestResidual(const PlanRoom& room)
@@ -79,6 +63,38 @@ largestResidual(const PlanRoom& room)
   for (const PlanElement& e : room.boundary.elements)
     residual = std::max(residual, e.residual);
   return residual;
+}
+
+/** @brief Returns the row of a room in the schedule.
+ * @param storey its name
+ * @param volume of its solid */
+RoomRow
+roomRow(const Floorplan& plan,
+        const RoomFaces& ceiling,
+        const std::string& storey,
+        double volume)
+{
+  const PlanRoom& room = ceiling.room;
+  const ClearHeight height = clearHeight(room);
+  const auto [lowest, highest] = ceiling.solid.empty()
+                                     ? std::pair(height.least, height.greatest)
+                                     : heightRange(ceiling); // as on the sheet
+  const WallShares walls = wallShares(plan, room);
+  const double area = std::max(room.area(), 0.0);
+  return {room.id,
+          room.name,
+          storey,
+          area,
+          area * height.share_2_0,
+          area * height.share_1_5,
+          room.perimeter(),
+          height.usual,
+          lowest,
+          highest,
+          volume,
+          walls.area > 0 ? walls.measured : -1,
+          room.floor.accuracy,
+          room.ceiling.accuracy};
 }
 
 void
@@ -117,28 +133,6 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 
 } // namespace
 
-std::vector<PlanLoop>
-floorTriangles(const IfcRoom& written)
-{
-  const std::string floor = nameIn(written.room, "floor");
-  if (prismOf(written))
-    return {};
-  return inPlan(written.solid, -1, [&](std::size_t t) {
-    const std::uint32_t e = written.solid.elements[t];
-    return e > 0 && written.elements[e - 1].name.compare(0, floor.size(), floor) == 0;
-  });
-}
-
-std::vector<PlanLoop>
-topTriangles(const IfcRoom& written,
-             const std::function<bool(const Eigen::Vector3d&)>& isTop)
-{
-  return inPlan(written.solid, 1, [&](std::size_t t) {
-    return isTop(written.solid.corner(t, 0)) && isTop(written.solid.corner(t, 1)) &&
-           isTop(written.solid.corner(t, 2));
-  });
-}
-
 void
 writeSpaces(IfcDocument& document)
 {
@@ -148,7 +142,9 @@ writeSpaces(IfcDocument& document)
     const double ground = document.groundOf(written.storey);
     const std::string name = nameIn(room, "space");
     StepRef shape;
-    if (const auto prism = prismOf(written))
+    const auto prism = prismOf(written);
+    written.is_swept = prism.has_value();
+    if (prism)
       shape = document.shapeOf(document.shapes.extrusion(room.boundary, room.columns,
                                                          prism->floor - ground,
                                                          prism->ceiling - prism->floor),

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../walls/wall_band.h"
+#include "ifc_bodies.h"
 #include "ifc_parts.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "wall_body.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace pcl::sedr::ifc {
@@ -75,7 +76,7 @@ rowOf(const IfcDocument& document, const WrittenWall& written)
               wall.thickness,
               sources[static_cast<std::size_t>(wall.source)],
               wall.stretch.length(),
-              written.top - written.bottom};
+              written.top() - written.bottom()};
   WallBody upright = written;
   upright.runs = {};
   std::vector<WallCut> through;
@@ -153,10 +154,10 @@ bodyOf(IfcDocument& document, const WrittenWall& written)
     mesh = written.mesh(document.plan);
   // A plan that cannot be triangulated is swept, too.
   return document.bodyOf(
-      mesh.empty()
-          ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
-                                      written.top - written.bottom, written.runs.near)
-          : document.shapes.faceSet(mesh),
+      mesh.empty() ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
+                                               written.top() - written.bottom(),
+                                               written.runs.near)
+                   : document.shapes.faceSet(mesh),
       "wall");
 }
 
@@ -180,45 +181,81 @@ isWithin(const WallSite& site, const std::vector<PlanArea>& areas)
   return within > samples / 2;
 }
 
-/** @brief Takes from a wall what the bodies of rooms have of its plan: a solid fills
- * posts and slits that are narrower than the walls around them are known. A face that
- * no solid has is that of no wall. */
-void
-endAtBodies(const IfcDocument& document, const WallSite& site, WrittenWall& written)
+/** @brief Returns triangles in plan that the solid of a room takes of a wall: of a room
+ * beside it the floors, those of niches are none, and none of one that is swept from
+ * its plan; of one below what is open to the ceiling before its face. */
+std::vector<PlanArea>
+footprintOf(const IfcRoom& room,
+            bool is_beside,
+            const Floorplan& plan,
+            const WallSite& site)
 {
+  if (is_beside && room.is_swept)
+    return {};
+  std::vector<std::string> floors{"floor"};
+  for (std::size_t d = 1; d <= room.room.floor_details.size(); ++d)
+    floors.push_back("floor_detail_" + std::to_string(d));
+  std::vector<std::size_t> triangles(room.solid.triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  std::vector<PlanArea> found;
+  for (const std::size_t t : is_beside ? room.trianglesOf(floors) : triangles) {
+    const auto isOpen = [&](int k) {
+      const Eigen::Vector3d& p = room.solid.corner(t, k);
+      return p.z() > openHeight(plan, site.wall.face, p.head<2>());
+    };
+    const double up = room.solid.scaledNormal(t).z();
+    if (is_beside ? up >= 0 : up <= 0 || !isOpen(0) || !isOpen(1) || !isOpen(2))
+      continue;
+    std::vector<Eigen::Vector2d> corners;
+    for (const int k : {0, 1, 2})
+      corners.push_back(site.frame.toLocal(room.solid.corner(t, k).head<2>()));
+    found.push_back({loopOf(corners)});
+  }
+  return found;
+}
+
+/** @brief Returns the plan of a wall in its frame, counter-clockwise: its band without
+ * the rooms at its heights that reach behind its face, beside a niche or at a mitre,
+ * and without their solids, which fill posts and slits that are narrower than the walls
+ * around them are known. A wall that surrounds a room has a hole. Empty if nothing is
+ * left: a face that no solid has is that of no wall. */
+PlanArea
+profileOf(const IfcDocument& document, const WallSite& site, double bottom)
+{
+  constexpr double rounding = 1e-5; // square metres
   const Floorplan& plan = document.plan;
-  const Eigen::AlignedBox2d box = boundsOf(written.profile.boundary);
+  const PlanWall& wall = site.wall;
+  std::vector<PlanArea> rooms;
   std::vector<PlanArea> bodies;
-  double common = 0;
-  const auto isOpen = [&](const Eigen::Vector3d& p) {
-    return p.z() > openHeight(plan, written.wall.face, p.head<2>());
-  };
   for (const std::size_t r : site.near) {
     const IfcRoom& room = document.rooms[r];
-    const bool is_beside = shareHeights(room.room, plan.rooms[written.wall.face.room]);
-    if (!is_beside && heightsOf(room.room).low > written.bottom)
-      continue;
-    for (const PlanLoop& part :
-         is_beside ? floorTriangles(room) : topTriangles(room, isOpen)) {
-      const PlanArea area{inFrame(part, site.frame)};
-      if (!boundsOf(area.boundary).intersects(box))
-        continue;
-      common += commonArea(written.profile, area);
-      bodies.push_back(area);
-    }
+    const bool is_beside = shareHeights(room.room, plan.rooms[wall.face.room]);
+    if (const PlanArea area = site.areaOf(room.room);
+        is_beside && commonArea(site.band, area) > rounding)
+      rooms.push_back(area);
+    if (is_beside || heightsOf(room.room).low <= bottom)
+      for (const PlanArea& part : footprintOf(room, is_beside, plan, site))
+        bodies.push_back(part);
   }
-  // A solid has chords for arcs: what is between them is not taken.
-  const double between =
-      elementOf(plan, written.wall.face).isArc()
-          ? SolidParameters().chord_tolerance *
-                (written.wall.stretch.length() +
-                 (written.wall.other ? elementOf(plan, *written.wall.other).length()
-                                     : 0))
-          : 0;
+  const PlanArea profile =
+      rooms.empty() ? site.band : largestPartOutside(site.band, rooms);
+  const Eigen::AlignedBox2d box = boundsOf(profile.boundary);
+  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
+                              [&](const PlanArea& part) {
+                                return !boundsOf(part.boundary).intersects(box);
+                              }),
+               bodies.end());
   if (isWithin(site, bodies))
-    written.profile = {};
-  else if (common > no_area + between)
-    written.profile = largestPartOutside(written.profile, bodies);
+    return {};
+  // A solid has chords for arcs: what is between them is not taken.
+  double taken = -no_area;
+  if (elementOf(plan, wall.face).isArc())
+    taken -= SolidParameters().chord_tolerance *
+             (wall.stretch.length() +
+              (wall.other ? elementOf(plan, *wall.other).length() : 0));
+  for (const PlanArea& part : bodies)
+    taken += commonArea(profile, part);
+  return taken > 0 ? largestPartOutside(profile, bodies) : profile;
 }
 
 } // namespace
@@ -236,7 +273,8 @@ writeWalls(IfcDocument& document)
     const PlanWall& wall = site.wall;
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;
-    WrittenWall added{{wall, site.frame, heights, runsOf(plan, wall), profileOf(site)},
+    WrittenWall added{{wall, site.frame, heights, runsOf(plan, wall),
+                       profileOf(document, site, heights.bottom)},
                       faceName(plan, wall.face),
                       document.rooms[wall.face.room].storey};
     added.number = numberOf(plan, wall.face);
@@ -245,10 +283,7 @@ writeWalls(IfcDocument& document)
       added.name += "_part_" + std::to_string(part);
       added.number += "-" + std::to_string(part);
     }
-    added.bottom = heights.bottom;
-    added.top = heights.highest();
     added.is_external = isExternal(plan, wall);
-    endAtBodies(document, site, added);
     if (isWhollyOpen(plan, added))
       continue;
     const Eigen::Vector2d& origin = added.frame.origin;

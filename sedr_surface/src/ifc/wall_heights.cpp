@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_body.h"
+#include "ifc_bodies.h"
 
 #include "../walls/wall_band.h"
 
 #include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
+#include "sedr_segmentation/src/curves/contour.h"
+#include "step_file.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -55,35 +57,6 @@ slabAbove(const Side& side, const Eigen::Vector2d& p)
   const PlanSlab& ceiling = side.room->ceilingSlab(side.room->detailAt(p));
   const PlanSlab& main = side.room->ceiling;
   return side.slopes || ceiling.heightAt(p) > main.heightAt(p) ? ceiling : main;
-}
-
-/** @brief Removes tops on the line between their neighbours. */
-std::vector<WallHeights::Top>
-simplified(const std::vector<WallHeights::Top>& tops)
-{
-  constexpr double tolerance = 0.001;
-  std::vector<WallHeights::Top> kept{tops.front()};
-  for (std::size_t i = 1; i + 1 < tops.size(); ++i) {
-    const WallHeights::Top& from = kept.back();
-    const WallHeights::Top& to = tops[i + 1];
-    const double share = (tops[i].along - from.along) / (to.along - from.along);
-    if (std::abs(from.height + share * (to.height - from.height) - tops[i].height) >
-        tolerance)
-      kept.push_back(tops[i]);
-  }
-  kept.push_back(tops.back());
-  return kept;
-}
-
-/** @brief Returns the band of a wall in its frame. */
-PlanArea
-localBandOf(const Floorplan& plan, const PlanWall& wall, const WallFrame& frame)
-{
-  PlanArea band = bandOf(plan, wall);
-  band.boundary = inFrame(band.boundary, frame);
-  for (PlanLoop& hole : band.holes)
-    hole = inFrame(hole, frame);
-  return band;
 }
 
 /** @brief Returns the heights of a wall by the rooms beside it. */
@@ -139,8 +112,14 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
       [](const auto& one, const auto& other) { return one.height < other.height; });
   if (const double highest = high->height; !slopes || highest - low->height < level)
     heights.tops = {{0, highest}, {1, highest}};
-  else
-    heights.tops = simplified(heights.tops);
+  else {
+    std::vector<Eigen::Vector2d> line;
+    for (const WallHeights::Top& top : heights.tops)
+      line.emplace_back(top.along, top.height);
+    heights.tops.clear();
+    for (const Eigen::Vector2d& top : simplifiedLine(line, 0.001))
+      heights.tops.push_back({top.x(), top.y()});
+  }
   heights.surplus += heights.mean();
   return heights;
 }
@@ -264,13 +243,12 @@ WallSite::WallSite(const Floorplan& of_plan,
     : plan(of_plan)
     , wall(of_wall)
     , frame(frameOf(of_plan, of_wall))
-    , band(localBandOf(of_plan, of_wall, frame))
+    , band(bandOf(of_plan, of_wall))
 {
-  const Eigen::AlignedBox2d local = boundsOf(band.boundary);
-  Eigen::AlignedBox2d box;
-  for (const auto corner :
-       {local.BottomLeft, local.BottomRight, local.TopLeft, local.TopRight})
-    box.extend(frame.toPlan(local.corner(corner)));
+  const Eigen::AlignedBox2d box = boundsOf(band.boundary);
+  band.boundary = inFrame(band.boundary, frame);
+  for (PlanLoop& hole : band.holes)
+    hole = inFrame(hole, frame);
   for (std::size_t r = 0; r < boxes.size(); ++r)
     if (boxes[r].intersects(box))
       near.push_back(r);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ceiling_faces.h"
+#include "room_faces.h"
 
 #include "sedr_filters/src/base/number_text.h"
 
@@ -15,11 +15,10 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double min_step = 0.03;    ///< metres
-constexpr double beside = 0.05;      ///< where facets are asked for, metres
-constexpr double border_error = 0.1; ///< of facets, by their cells, metres
-constexpr double shortest = 8;       ///< line, millimetres of paper
-constexpr int outside = -2;          ///< of the room
+constexpr double min_step = 0.03; ///< metres
+constexpr double beside = 0.05;   ///< where facets are asked for, metres
+constexpr double shortest = 8;    ///< line, millimetres of paper
+constexpr int outside = -2;       ///< of the room
 
 /** @brief What lies to the left and to the right of a place of a line: details, -1 for
  * the main slab; and whether they differ there. */
@@ -105,12 +104,9 @@ private:
     const Eigen::Vector3d up = a.normalAt(place);
     const Eigen::Vector3d other = b.normalAt(place);
     const double angle = std::acos(std::clamp(up.dot(other), -1.0, 1.0));
-    // How fast the two part beside the line in which they meet.
-    const Eigen::Vector2d slopes = up.head<2>() / up.z() - other.head<2>() / other.z();
     const double min_angle = is_floor_ ? M_PI / 90 : M_PI / 30; // 2 and 6 degrees
     sides.differ = step > min_step || angle > min_angle;
-    sides.is_crease =
-        angle > min_angle && step < min_step + border_error * slopes.norm();
+    sides.is_crease = angle > min_angle && step < min_step;
     return sides;
   }
 
@@ -138,10 +134,8 @@ private:
 
   void addLine(const Border& border, const std::vector<Eigen::Vector2d>& line)
   {
-    std::vector<Eigen::Vector2d> places =
+    const std::vector<Eigen::Vector2d> places =
         simplifiedLine(line, std::max(finest_, beside));
-    if (border.isCrease())
-      places = onIntersection(border.sides, std::move(places));
     PlanLoop drawn;
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
       drawn.elements.push_back(segment(places[k], places[k + 1]));
@@ -167,27 +161,6 @@ private:
                               border.isCrease() && &element == longest
                                   ? textOf(border.sides, element)
                                   : ""});
-  }
-
-  /** @brief Returns the line in which two planes meet instead of their border, which
-   * follows it by cells only. */
-  std::vector<Eigen::Vector2d> onIntersection(const Sides& sides,
-                                              std::vector<Eigen::Vector2d> line) const
-  {
-    const PlanSlab& a = slab(sides.left);
-    const PlanSlab& b = slab(sides.right);
-    if (a.curve || b.curve)
-      return line;
-    // Where their difference of heights is zero.
-    const Eigen::Vector2d slope =
-        b.plane.head<2>() / b.plane[2] - a.plane.head<2>() / a.plane[2];
-    const auto moved = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
-      return p - (a.heightAt(p) - b.heightAt(p)) / slope.squaredNorm() * slope;
-    };
-    for (const Eigen::Vector2d& p : line)
-      if (!((moved(p) - p).norm() < 2 * border_error))
-        return line;
-    return {moved(line.front()), moved(line.back())};
   }
 
   /** @brief Returns the height of a ridge or valley, if it is level. */
@@ -245,22 +218,37 @@ private:
 
 } // namespace
 
-std::vector<std::size_t>
-SurfaceLines::largest(const std::vector<PlanDetail>& details) const
+std::vector<NotedPart>
+SurfaceLines::noted(const PlanRoom& room, SurfaceSide side) const
 {
-  std::map<std::size_t, std::pair<double, std::size_t>> found; // by part
-  for (std::size_t d = 0; d < details.size(); ++d) {
-    const double area = std::abs(details[d].boundary.area());
-    auto& best = found[part[d + 1]];
-    if (part[d + 1] != part.front() && area > best.first)
-      best = {area, d};
+  const bool is_floor = side == SurfaceSide::Floor;
+  const std::vector<PlanDetail>& details = is_floor ? room.floor_details : room.details;
+  std::vector<NotedPart> parts{
+      {is_floor ? room.floor : room.ceiling, room.boundary, room.columns}};
+  for (const PlanDetail& detail : details)
+    parts[0].others.push_back(detail.boundary);
+  std::map<std::size_t, std::size_t> largest; // detail, by part
+  const auto areaOf = [&](std::size_t d) {
+    return std::abs(details[d].boundary.area());
+  };
+  for (std::size_t d = 0; d < details.size(); ++d)
+    if (part[d + 1] != part.front())
+      if (const auto [best, is_first] = largest.emplace(part[d + 1], d);
+          !is_first && areaOf(d) > areaOf(best->second))
+        best->second = d;
+  std::set<std::size_t> chosen;
+  for (const auto& [of, d] : largest)
+    chosen.insert(d);
+  for (const std::size_t d : chosen) {
+    NotedPart& noted = parts.emplace_back(
+        NotedPart{details[d].slab, details[d].boundary, room.columns});
+    noted.others.insert(noted.others.end(), details[d].holes.begin(),
+                        details[d].holes.end());
+    for (std::size_t later = d + 1; later < details.size(); ++later)
+      if (boundsOf(details[later].boundary).intersects(boundsOf(noted.outline)))
+        noted.others.push_back(details[later].boundary);
   }
-  std::vector<std::size_t> numbers;
-  for (const auto& [of, best] : found)
-    if (best.first > 0)
-      numbers.push_back(best.second);
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
+  return parts;
 }
 
 SurfaceLines

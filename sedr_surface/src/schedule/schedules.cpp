@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_row.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
@@ -182,35 +181,6 @@ accuracyOf(const PlanOpening& opening)
   return opening.deviation_95 > 0
              ? SurfaceAccuracy{opening.residual, opening.deviation_95}
              : SurfaceAccuracy{};
-}
-
-RoomRow
-roomRow(const Floorplan& plan,
-        const CeilingFaces& ceiling,
-        const std::string& storey,
-        double volume)
-{
-  const PlanRoom& room = ceiling.room;
-  const ClearHeight height = clearHeight(room);
-  const auto [lowest, highest] = ceiling.solid.empty()
-                                     ? std::pair(height.least, height.greatest)
-                                     : heightRange(ceiling); // as on the sheet
-  const WallShares walls = wallShares(plan, room);
-  const double area = std::max(room.area(), 0.0);
-  return {room.id,
-          room.name,
-          storey,
-          area,
-          area * height.share_2_0,
-          area * height.share_1_5,
-          room.perimeter(),
-          height.usual,
-          lowest,
-          highest,
-          volume,
-          walls.area > 0 ? walls.measured : -1,
-          room.floor.accuracy,
-          room.ceiling.accuracy};
 }
 
 std::vector<OpeningRow>

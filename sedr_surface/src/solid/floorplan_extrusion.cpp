@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../mesh/mesh_repair.h"
-#include "opening_reveals.h"
+#include "room_layers.h"
 #include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/impl/instantiate.hpp>

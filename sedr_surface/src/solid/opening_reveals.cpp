@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_reveals.h"
+#include "room_layers.h"
 
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/plan/plan_geometry.h"

@@ -3,6 +3,7 @@
 
 #include "e57_writer.h"
 #include "las_writer.h"
+#include "scan_file.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "tools/in_folder.h"
@@ -24,6 +25,22 @@ inline void
 saveCompressed(const std::string& path, const pcl::PCLPointCloud2& blob)
 {
   ASSERT_EQ(pcl::PCDWriter().writeBinaryCompressed(path, blob), 0);
+}
+
+/** Writes a blob, with the viewpoint at the origin. */
+inline void
+saveBlob(const std::string& path, const pcl::PCLPointCloud2& blob)
+{
+  pcl::sedr::tools::ToolCloud cloud;
+  cloud.blob = blob;
+  pcl::sedr::tools::saveCloud(path, cloud);
+}
+
+/** Writes a scan as it is read. */
+inline void
+copyScan(const std::string& path, const pcl::sedr::tools::ScanFile& scan)
+{
+  pcl::sedr::tools::saveScan(path, scan, scan);
 }
 
 /** Returns settings that read a scan in pieces of about so many bytes. */

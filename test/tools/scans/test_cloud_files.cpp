@@ -18,9 +18,9 @@ TEST_F(CloudFiles, EveryFieldSurvives)
   auto blob = manyFields();
   const std::uint32_t colour = 0xff102030U;
   std::memcpy(&blob.data[findField(blob, "rgb")->offset], &colour, sizeof colour);
-  saveCloud(in("a.pcd"), blob);
+  saveBlob(in("a.pcd"), blob);
   saveCompressed(in("b.pcd"), blob);
-  saveCloud(in("c.PLY"), blob);
+  saveBlob(in("c.PLY"), blob);
   EXPECT_NE(bytesOf(in("b.pcd")).find("DATA binary_compressed"), std::string::npos);
   for (const char* name : {"a.pcd", "b.pcd", "c.PLY"}) {
     const ToolCloud cloud = loadCloud(in(name));
@@ -39,7 +39,7 @@ TEST_F(CloudFiles, EveryFieldSurvives)
     EXPECT_EQ(cloud.label, (std::vector<std::uint32_t>{70, 71, 72}));
     EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{0, 0, 0}));
   }
-  EXPECT_THROW(saveCloud(in("d.txt"), blob), ToolError);
+  EXPECT_THROW(saveBlob(in("d.txt"), blob), ToolError);
 }
 
 TEST_F(CloudFiles, AStructureInPiecesIsTheSameFile)
@@ -55,7 +55,7 @@ TEST_F(CloudFiles, AStructureInPiecesIsTheSameFile)
     }
     pcl::PCLPointCloud2 blob;
     pcl::toPCLPointCloud2(structure, blob);
-    saveCloud(in("whole.pcd"), blob);
+    saveBlob(in("whole.pcd"), blob);
     saveStructure(in("pieces.pcd"), structure);
     EXPECT_EQ(bytesOf(in("pieces.pcd")), bytesOf(in("whole.pcd")));
   }

@@ -39,8 +39,8 @@ protected:
     }
     blob = selectRows(blob, rows);
     setCoordinates(blob, 0, places);
-    saveCloud(in("scan.pcd"), blob);
-    saveCloud(in("scan.ply"), blob);
+    saveBlob(in("scan.pcd"), blob);
+    saveBlob(in("scan.ply"), blob);
     saveCompressed(in("packed.pcd"), blob);
     E57Writer e57;
     e57.packet_bytes = 40000;

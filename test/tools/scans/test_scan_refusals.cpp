@@ -284,7 +284,7 @@ TEST_F(ScanRefusals, ChangedBytesAreReadOrRefused)
   las.record = 36;
   las.colour_offset = 30;
   saveCompressed(in("packed.pcd"), manyFields());
-  saveCloud(in("cloud.ply"), manyFields());
+  saveBlob(in("cloud.ply"), manyFields());
   std::mt19937 random(5);
   for (const std::string& good :
        {e57.file(), las.bytes(), pcdBytes({{1, 2, 3}, {4, 5, 6}}),

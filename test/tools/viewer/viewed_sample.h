@@ -3,7 +3,7 @@
 
 #include "tools/in_folder.h"
 #include "tools/sample_result.h"
-#include "viewer/viewed_result.h"
+#include "viewer/shapes.h"
 
 #include <gtest/gtest.h>
 

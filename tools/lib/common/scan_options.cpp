@@ -51,17 +51,6 @@ statedOrigin(const std::string& path)
 
 } // namespace
 
-void
-convertScan(const std::string& input,
-            const std::string& output,
-            const ScanOptions& options)
-{
-  checkCloudOutput(output);
-  const ScanFile scan(input, options.resolved());
-  saveScan(output, scan);
-  say(std::to_string(scan.size()) + " points");
-}
-
 Origin
 originOfModel(const std::string& path)
 {

@@ -32,11 +32,6 @@ void addScanOptions(Options& options, ScanOptions& scan);
  */
 void addPositionsOption(Options& options, ScanOptions& scan);
 
-/** @brief Writes a scan as PCD or PLY, in the form that the options ask for. */
-void convertScan(const std::string& input,
-                 const std::string& output,
-                 const ScanOptions& options);
-
 /** @brief Returns the origin of a model's coordinates, from a folder of pcl_sedr, its
  * floorplan.json, or a PCD, PLY or OBJ; 0, 0, 0 if none is stated. */
 Origin originOfModel(const std::string& path);

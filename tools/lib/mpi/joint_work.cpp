@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_work.h"
-
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/voxels/voxel_sums.h"
 #include "sedr_segmentation/src/adjust/plan_adjustment.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
+#include "tool_error.h"
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/mpi/collectives/all_gather.hpp>
+#include <boost/mpi/environment.hpp>
 #include <boost/serialization/binary_object.hpp>
 #include <boost/serialization/string.hpp>
 
+#include <exception>
 #include <sstream>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -221,6 +226,41 @@ sharedRooms(const Ranks& ranks)
     }
   };
   return sharing;
+}
+
+void
+together(const Ranks& ranks, const std::function<void()>& step)
+{
+  std::string problem;
+  try {
+    step();
+  }
+  catch (const std::exception& error) {
+    problem = "rank " + std::to_string(ranks.rank()) + " on '" +
+              boost::mpi::environment::processor_name() + "': " + error.what();
+  }
+  std::vector<std::string> problems;
+  boost::mpi::all_gather(ranks, problem, problems);
+  problems.erase(std::remove(problems.begin(), problems.end(), ""), problems.end());
+  if (problems.empty())
+    return;
+  const std::size_t more = problems.size() - 1;
+  throw ToolError(problems.front() +
+                  (more > 0 ? "; " + std::to_string(more) + " more failed" : ""));
+}
+
+unsigned
+fairThreads(const Ranks& ranks)
+{
+  MPI_Comm here = MPI_COMM_NULL;
+  MPI_Comm_split_type(ranks, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  int ranks_here = 1;
+  MPI_Comm_size(here, &ranks_here);
+  MPI_Comm_free(&here);
+  const long processors = std::max(1L, sysconf(_SC_NPROCESSORS_ONLN));
+  // mpirun may have bound this rank to a few processors.
+  return std::min(resolveThreads(0),
+                  static_cast<unsigned>(std::max(1L, processors / ranks_here)));
 }
 
 } // namespace pcl::sedr::tools

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
+#include "scan_file.h"
 #include "stage_pictures.h"
 
 #include "sedr_filters/src/base/field_access.h"
@@ -70,7 +72,7 @@ void
 countLabels(const RowSource& scan, std::size_t when, CellChanges& changes)
 {
   const CellGrid grid(label_cell);
-  const auto* field = findField(scan.fields(), "label");
+  const auto* field = pcl::sedr::findField(scan.fields(), "label");
   RowCoordinates coordinates(scan.fields(), scan.rowSize());
   scan.forEachPiece([&](const RowSource::Piece& piece) {
     const PointView points = coordinates.of(piece.rows, piece.size);
@@ -161,6 +163,44 @@ drawRooms(const Building& building)
     picture.maps.insert(picture.maps.end(), {rooms, ceilings});
   }
   return picture;
+}
+
+void
+PictureFile::check() const
+{
+  if (!path.empty())
+    checkOutput(path, "a picture", {".png"});
+}
+
+void
+StageFiles::declare(Options& options, const std::string& help, std::string* plan)
+{
+  options.file("INPUT", input, "PCD or PLY file" + help);
+  if (plan)
+    options.file("PLAN.json", *plan,
+                 "floor plan, as pcl_floorplan_fitting and pcl_sedr write it");
+  options.file("OUTPUT", output, "PCD or PLY file to write");
+  picture.declare(options);
+}
+
+void
+StageFiles::check() const
+{
+  checkCloudOutput(output);
+  picture.check();
+}
+
+void
+StageFiles::save(const ToolCloud& cloud, const ScanSettings& reading) const
+{
+  CellChanges changes;
+  if (!picture.path.empty()) // first, as the output may be the input
+    countLabels(ScanFile(input, reading), 0, changes);
+  saveCloud(output, cloud);
+  picture.write([&] {
+    countLabels(ScanFile(output), 1, changes);
+    return drawLabels(changes);
+  });
 }
 
 } // namespace pcl::sedr::tools

@@ -214,21 +214,6 @@ saveCloud(const std::string& path, const ToolCloud& cloud)
 }
 
 void
-saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob)
-{
-  ToolCloud cloud;
-  cloud.blob = blob;
-  saveCloud(path, cloud);
-}
-
-void
-saveScan(const std::string& path, const ScanFile& scan)
-{
-  checkCloudOutput(path);
-  saveScan(path, scan, scan);
-}
-
-void
 saveScan(const std::string& path, const RowSource& rows, const ScanFile& scan)
 {
   const Frame frame{scan.viewpoint(), scan.orientation(), scan.origin(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "row_plan.h"
+#include "scan_file.h"
 
 #include <array>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewed_result.h"
+#include "shapes.h"
 
 #include "plan_file.h"
 #include "results/result_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "e57_pages.h"
+#include "e57_reader.h"
 
 #include "formats/scan_formats.h"
 #include "tool_error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "e57_streams.h"
+#include "e57_reader.h"
 
 #include "plain_text.h"
 #include "tool_error.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plain_text.h"
-#include "record_reader.h"
 #include "scan_formats.h"
 #include "tool_error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_columns.h"
+#include "text_reader.h"
 
 #include "plain_text.h"
 #include "tool_error.h"

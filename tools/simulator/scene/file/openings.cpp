@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
-#include "scene_parts.h"
 
 #include "simulator/scene/queries.h"
 

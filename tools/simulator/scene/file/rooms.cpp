@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene_parts.h"
+#include "furniture.h"
 
 #include "simulator/scene/shapes.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator/scene/scenes.h"
 
+#include "furniture.h"
 #include "json_view.h"
-#include "scene_parts.h"
 #include "simulator/scene/queries.h"
 
 #include <algorithm>

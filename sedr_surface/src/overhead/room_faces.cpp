@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ceiling_faces.h"
+#include "room_faces.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
@@ -132,23 +132,31 @@ contourStep(double range)
 
 } // namespace
 
-CeilingFaces::CeilingFaces(const PlanRoom& of)
+RoomFaces::RoomFaces(const PlanRoom& of)
     : room(of)
-    , faces(of.details.size() + 1)
 {
   report = extrudeRoom(room, {}, solid, elements);
-  const std::string start = "room_" + std::to_string(room.id) + "_";
-  std::map<std::string, std::size_t> numbers{{start + "ceiling", 0}};
-  for (std::size_t d = 1; d <= room.details.size(); ++d)
-    numbers[start + "detail_" + std::to_string(d)] = d;
+  const std::size_t start = ("room_" + std::to_string(room.id) + "_").size();
   for (std::size_t t = 0; t < solid.triangles.size(); ++t)
-    if (const auto face = numbers.find(elements[solid.elements[t] - 1].name);
-        face != numbers.end())
-      faces[face->second].push_back(t);
+    parts[elements[solid.elements[t] - 1].name.substr(start)].push_back(t);
+  faces.push_back(trianglesOf({"ceiling"}));
+  for (std::size_t d = 1; d <= room.details.size(); ++d)
+    faces.push_back(trianglesOf({"detail_" + std::to_string(d)}));
+}
+
+std::vector<std::size_t>
+RoomFaces::trianglesOf(const std::vector<std::string>& names) const
+{
+  std::vector<std::size_t> triangles;
+  for (const std::string& name : names)
+    if (const auto part = parts.find(name); part != parts.end())
+      triangles.insert(triangles.end(), part->second.begin(), part->second.end());
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
 }
 
 double
-CeilingFaces::area(std::size_t face) const
+RoomFaces::area(std::size_t face) const
 {
   double area = 0;
   for (const std::size_t t : faces[face])
@@ -157,7 +165,7 @@ CeilingFaces::area(std::size_t face) const
 }
 
 double
-CeilingFaces::area() const
+RoomFaces::area() const
 {
   double all = 0;
   for (std::size_t face = 0; face < faces.size(); ++face)
@@ -166,7 +174,7 @@ CeilingFaces::area() const
 }
 
 std::vector<SurfaceLine>
-heightLines(const CeilingFaces& ceiling, double height)
+heightLines(const RoomFaces& ceiling, double height)
 {
   const PlanRoom& room = ceiling.room;
   if (!room.hasFacets())
@@ -199,7 +207,7 @@ heightLines(const CeilingFaces& ceiling, double height)
 }
 
 std::vector<SurfaceLine>
-contourLines(const CeilingFaces& ceiling)
+contourLines(const RoomFaces& ceiling)
 {
   const PlanSlab& floor = ceiling.room.floor;
   const auto heightOf = [&](const Eigen::Vector3d& p) {
@@ -229,7 +237,7 @@ contourLines(const CeilingFaces& ceiling)
 }
 
 std::pair<double, double>
-heightRange(const CeilingFaces& ceiling)
+heightRange(const RoomFaces& ceiling)
 {
   constexpr double few = 50;
   constexpr double inward = 0.02; // share of the way to the middle of a triangle

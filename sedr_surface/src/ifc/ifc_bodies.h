@@ -4,13 +4,47 @@
 #include "../walls/wall_band.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace pcl::sedr::ifc {
+
+/** @brief Returns the closed body between some triangles of a mesh, none of them
+ * vertical, and other heights above or below their vertices: a slab on a ceiling, a
+ * soffit below it. Its faces are directed outwards. O(n log n).
+ * @param triangles indices; none: an empty mesh
+ * @param height_at the other height at a vertex, at least a millimetre away and on the
+ * same side everywhere */
+TriangleMesh prismOn(const TriangleMesh& mesh,
+                     const std::vector<std::size_t>& triangles,
+                     const std::function<double(const Eigen::Vector3d&)>& height_at);
+
+/** @brief As above between all triangles of a mesh and other heights. */
+TriangleMesh prismOn(const TriangleMesh& mesh,
+                     const std::function<double(const Eigen::Vector3d&)>& height_at);
+
+/** @brief Returns a mesh with z relative to a height. */
+TriangleMesh lowered(TriangleMesh mesh, double height);
+
+/** @brief Returns the height of a slab over a box if it is level to a millimetre. It is
+ * sampled, since a curve may be level at the corners only. */
+std::optional<double> levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box);
+
+/** @brief Returns whether a room's ceiling or a part of it is not level. */
+bool hasSlopingCeiling(const PlanRoom& room);
+
+/** @brief Compares the heights of a detail and a slab at the middle of the detail's
+ * box.
+ * @return 1 if the detail is above, -1 if below, 0 if at the same height */
+int sideOf(const PlanDetail& detail, const PlanSlab& slab);
 
 /** @brief The heights of a wall. */
 struct WallHeights {
@@ -89,11 +123,6 @@ constexpr double no_area =
     0.001; ///< smaller openings and walls are none, square metres
 constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
 
-/** @brief Returns the plan of a wall in its frame, counter-clockwise, without the rooms
- * at its heights that reach behind its face: beside a niche or at a mitre. A wall that
- * surrounds a room has a hole. Empty if nothing is left. */
-PlanArea profileOf(const WallSite& site);
-
 /** @brief What is cut out of a wall between two heights. */
 struct WallCut {
   PlanLoop plan; ///< in the frame of the wall, at its bottom if it is tilted
@@ -108,7 +137,7 @@ struct WallBody {
   WallFrame frame{};
   WallHeights heights{};
   WallRuns runs{};    ///< of a tilted wall
-  PlanArea profile{}; ///< from profileOf()
+  PlanArea profile{}; ///< its plan in the frame, without rooms
 
   /** @brief Returns a wall whose top is not level, or with sides of different runs. */
   TriangleMesh mesh(const Floorplan& plan) const;

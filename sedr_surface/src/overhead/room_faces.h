@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,20 +75,25 @@ partsWhere(const PlanElement& element, IsSo is_so)
 std::vector<std::vector<Eigen::Vector2d>>
 chained(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& segments);
 
-/** @brief The ceiling of a room as its solid has it: exact, but for chords of arcs and
- * curves. Without faces if the plan cannot be built. */
-struct CeilingFaces {
+/** @brief The faces of a room's solid: exact, but for chords of arcs and curves. None
+ * if the plan cannot be built. */
+struct RoomFaces {
   /** @param of must outlive this object */
-  explicit CeilingFaces(const PlanRoom& of);
+  explicit RoomFaces(const PlanRoom& of);
+
+  /** @brief Returns the triangles of parts of the room, in their order: "floor",
+   * "wall_3", see SolidElement::name. */
+  std::vector<std::size_t> trianglesOf(const std::vector<std::string>& names) const;
 
   const PlanRoom& room;
   TriangleMesh solid;
   std::vector<SolidElement> elements; ///< of the solid
   RoomSolidReport report;
+  std::map<std::string, std::vector<std::size_t>> parts; ///< triangles, by name
   /** Triangles of the main ceiling, then of each detail. */
   std::vector<std::vector<std::size_t>> faces;
 
-  /** @brief Returns the area of a face in space, square metres. */
+  /** @brief Returns the area of a face of the ceiling in space, square metres. */
   double area(std::size_t face) const;
 
   /** @brief Returns the area of all faces. */
@@ -98,16 +104,16 @@ struct CeilingFaces {
  * metres above its floor, as under a roof; those that extend over less than 0.5 m are
  * left out. One element of each has the height as text, "h 1.50". Empty if the ceiling
  * is level. */
-std::vector<SurfaceLine> heightLines(const CeilingFaces& ceiling, double height);
+std::vector<SurfaceLine> heightLines(const RoomFaces& ceiling, double height);
 
 /** @brief Returns the contour lines of vaults, domes and free forms, at most eight a
  * room, every 5, 10, 25 or 50 cm or every metre above the room's main floor; one
  * element of each has its height as text. */
-std::vector<SurfaceLine> contourLines(const CeilingFaces& ceiling);
+std::vector<SurfaceLine> contourLines(const RoomFaces& ceiling);
 
 /** @brief Returns the minimum and maximum height of the ceiling above the floor,
  * metres: at eaves and ridge. Faces below a fiftieth of the largest do not count. */
-std::pair<double, double> heightRange(const CeilingFaces& ceiling);
+std::pair<double, double> heightRange(const RoomFaces& ceiling);
 
 /** @brief Returns "eaves 1.05" for a wall from which a sloping ceiling rises, if level
  * along the wall; empty for others. The height is above the floor beside the wall. */
@@ -116,6 +122,13 @@ std::string eavesText(const PlanRoom& room, const PlanElement& wall);
 /** @brief Which surface of a room: above or below. */
 enum class SurfaceSide { Ceiling, Floor };
 
+/** @brief A part of a ceiling or floor that carries a note, where none of others is. */
+struct NotedPart {
+  const PlanSlab& slab;
+  const PlanLoop& outline;
+  std::vector<PlanLoop> others;
+};
+
 /** @brief The lines of a ceiling or floor, and the parts between them. */
 struct SurfaceLines {
   std::vector<SurfaceLine> lines;
@@ -123,9 +136,9 @@ struct SurfaceLines {
    * common; that of the main slab for parts without a line. */
   std::vector<std::size_t> part;
 
-  /** @brief Returns the details that carry a note: the largest of each part but that of
-   * the main slab. */
-  std::vector<std::size_t> largest(const std::vector<PlanDetail>& details) const;
+  /** @brief Returns what carries a note: the main slab, and the largest detail of each
+   * other part. It refers to the room. */
+  std::vector<NotedPart> noted(const PlanRoom& room, SurfaceSide side) const;
 };
 
 /** @brief Returns the lines between the parts of a room's ceiling or floor: along most
@@ -134,8 +147,7 @@ struct SurfaceLines {
  * they are of one part.
  *
  * A line is where the upper one of both details in the room's list has its edge.
- * Segments are straightened; where two planes meet, the line is that of their
- * intersection. Arcs stay arcs.
+ * Segments are straightened, arcs stay arcs.
  * @param finest metres that a millimetre of paper stands for: lines are straightened by
  * that much, and those that extend over less than eight of them are left out */
 SurfaceLines surfaceLines(const PlanRoom& room, SurfaceSide side, double finest);
