@@ -2,6 +2,7 @@
 #include "opening_kind.h"
 #include "opening_leaf.h"
 #include "opening_search.h"
+#include "wall_evidence.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -43,6 +44,7 @@ findOpenings(const PointView& points,
                   [](const WallMap& map) { return map.points().empty(); }))
     return "none of the " + std::to_string(indices ? indices->size() : points.size()) +
            " points lies at a wall of the floor plan";
+  measureEvidence(*found, plan);
   plan.openings.clear();
   findLeaves(plan, points, indices.get(), parameters.sizes, threads, found->found);
   nameOpenings(plan, *found, parameters.sizes);

@@ -105,8 +105,8 @@ revealDepth(const WallMap& map, const WallRectangle& at)
 void
 addWall(const Floorplan& plan, const WallSide& side, PlanOpening& opening)
 {
-  for (const std::size_t e : side.elements)
-    opening.walls.push_back({plan.rooms[side.room].id, e});
+  if (side.isWall())
+    opening.walls.push_back({plan.rooms[side.room].id, side.element});
 }
 
 /** @brief Finds what may be openings on all sides. */
@@ -126,7 +126,8 @@ public:
                 const SightLines* sight)
   {
     const std::vector<WallSide>& sides = search_.sides;
-    auto beside = pointsBeside(sides, points, indices, sizes_.before, sizes_.max_depth);
+    auto beside = pointsBeside(sides, points, indices, sizes_.before,
+                               std::max(sizes_.behind, sizes_.max_depth));
     const std::vector<SightLine> rays =
         sight ? sight->lines() : std::vector<SightLine>();
     std::vector<std::optional<WallMap>> maps(sides.size());
@@ -145,8 +146,10 @@ public:
   void find()
   {
     std::vector<std::vector<FoundOpening>> on_side(search_.sides.size());
-    parallelFor(on_side.size(), 1, parameters_.threads,
-                [&](std::size_t k) { on_side[k] = openingsOn(k); });
+    parallelFor(on_side.size(), 1, parameters_.threads, [&](std::size_t k) {
+      if (search_.sides[k].may_have_openings)
+        on_side[k] = openingsOn(k);
+    });
     for (auto& list : on_side)
       search_.found.insert(search_.found.end(), list.begin(), list.end());
   }

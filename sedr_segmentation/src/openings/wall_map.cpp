@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::sedr {
 
@@ -41,6 +42,7 @@ WallMap::WallMap(const PlanRoom& room,
   findExtent(room, side);
   count(side, rays);
   closeGaps();
+  findOffsets(side.line);
   points_.erase(std::remove_if(points_.begin(), points_.end(),
                                [&](const SidePoint& p) { return p.offset < -depth_; }),
                 points_.end());
@@ -123,6 +125,7 @@ WallMap::centreFace()
                           opening_numbers.min_tolerance, opening_numbers.noise_band);
   for (SidePoint& p : points_)
     p.offset -= static_cast<float>(middle);
+  centre_ = middle;
 }
 
 /** @brief Makes cells as small as possible with enough points in those that were
@@ -254,7 +257,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     if (i == none)
       continue;
     const std::size_t c = i / rows_;
-    const double margin = std::max(opening_numbers.slab_band, cell_ / 2);
+    const double margin = slabBand();
     const bool is_slab =
         p.height < floors_[c] + margin || p.height > ceilings_[c] - margin;
     if (p.offset > before_)
@@ -295,6 +298,37 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
       else if (shade[i] > 0)
         cells_[i] = WallCell::Shaded;
     }
+}
+
+void
+WallMap::findOffsets(const PlanElement& line)
+{
+  const double noise = 3 * line.residual;
+  const double on = std::max(opening_numbers.on_model, noise);
+  const double edge = std::max(opening_numbers.off_edge, noise);
+  constexpr float nothing = -std::numeric_limits<float>::infinity();
+  offsets_.assign(cells_.size(), nothing);
+  ceiling_behind_.assign(columns_, nothing);
+  for (const SidePoint& p : points_) {
+    const float offset = p.offset + static_cast<float>(centre_);
+    const auto c = static_cast<std::size_t>(std::max(p.along, 0.0F) / cell_);
+    if (c >= columns_ || p.height < floors_[c] + opening_numbers.on_face ||
+        p.height > ceilings_[c] + opening_numbers.on_face)
+      continue;
+    if (p.height > ceilings_[c] - opening_numbers.on_face) {
+      if (offset < -edge)
+        ceiling_behind_[c] = std::max(ceiling_behind_[c], offset);
+      continue;
+    }
+    const std::size_t i = indexOf(p);
+    if (i == none)
+      continue;
+    float& nearest = offsets_[i];
+    if (std::abs(offset) <= on)
+      nearest = 0;
+    else if (offset > 0 ? nearest < 0 || nearest > offset : nearest < offset)
+      nearest = offset;
+  }
 }
 
 /** @brief Makes cells without points between seen ones of a row seen where the gap is

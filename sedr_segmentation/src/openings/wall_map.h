@@ -9,6 +9,7 @@
 
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -69,6 +70,22 @@ public:
   /** @brief Returns the state at a place; Beyond if it is not on the map. */
   WallCell at(double along, double height) const;
 
+  /** @brief Returns how far before the plan's surface lies what is nearest to it in a
+   * cell, metres: 0 on it, else of what is before it, else, below 0, of what is behind
+   * it; minus infinity where there is nothing. */
+  float offsetAt(std::size_t column, std::size_t row) const
+  {
+    return offsets_[column * rows_ + row];
+  }
+
+  /** @brief Returns likewise what is nearest behind the surface at the height of the
+   * ceiling. */
+  float ceilingBehind(std::size_t column) const { return ceiling_behind_[column]; }
+
+  /** @brief Returns up to which distance from floor and ceiling points are theirs,
+   * metres. */
+  double slabBand() const { return std::max(opening_numbers.slab_band, cell_ / 2); }
+
   /** @brief Returns the share of the cells of a rectangle that are in a state. */
   double
   shareOf(WallCell state, double from, double to, double bottom, double top) const;
@@ -89,6 +106,7 @@ private:
   void chooseCell();
   void findExtent(const PlanRoom& room, const WallSide& side);
   void count(const WallSide& side, const std::vector<SightLine>& rays);
+  void findOffsets(const PlanElement& line);
   void follow(const WallSide& side,
               const SightLine& ray,
               std::vector<std::uint32_t>& through,
@@ -105,12 +123,15 @@ private:
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
   double tolerance_ = 0.02;
+  double centre_ = 0; ///< of the face before the plan's surface
   double depth_;
   double before_;
   std::vector<SidePoint> points_;
   std::vector<double> floors_;   ///< of each column
   std::vector<double> ceilings_; ///< of each column
   std::vector<WallCell> cells_;
+  std::vector<float> offsets_;
+  std::vector<float> ceiling_behind_;
 };
 
 /** @brief Returns the points of a scan beside each side: up to `before` metres before

@@ -45,7 +45,7 @@ extendOverBays(std::vector<WallSide>& sides, const OpeningSizes& sizes)
   const std::vector<WallSide> from = sides;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const PlanElement& line = from[k].line;
-    if (line.isArc())
+    if (line.isArc() || !from[k].may_have_openings)
       continue;
     const double length = line.length();
     const auto reach = [&](double end, double step) {
@@ -69,19 +69,19 @@ wallSides(const Floorplan& plan, const OpeningSizes& sizes)
   std::vector<WallSide> sides;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    const auto add = [&](const PlanLoop& loop, bool is_boundary) {
+    const auto add = [&](const PlanLoop& loop, int column) {
+      const bool is_surrounded =
+          column < 0 || loop.length() > opening_numbers.min_island;
       for (std::size_t e = 0; e < loop.elements.size(); ++e)
-        if (loop.elements[e].length() >= sizes.min_side) {
-          sides.push_back({r, loop.elements[e]});
-          if (is_boundary)
-            sides.back().elements = {e};
+        if (const double length = loop.elements[e].length(); length > 0) {
+          sides.push_back({r, loop.elements[e], e, column,
+                           is_surrounded && length >= sizes.min_side});
           addHeights(room, sides.back());
         }
     };
-    add(room.boundary, true);
-    for (const PlanLoop& column : room.columns)
-      if (column.length() > opening_numbers.min_island)
-        add(column, false);
+    add(room.boundary, -1);
+    for (std::size_t c = 0; c < room.columns.size(); ++c)
+      add(room.columns[c], static_cast<int>(c));
   }
   extendOverBays(sides, sizes);
   return sides;
@@ -101,7 +101,7 @@ sideBehind(const std::vector<WallSide>& sides,
   double nearest = max_depth;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const WallSide& other = sides[k];
-    if (&other == &side || !other.line.isBeside(place) ||
+    if (&other == &side || !other.may_have_openings || !other.line.isBeside(place) ||
         std::min(other.ceiling, side.ceiling) - std::max(other.floor, side.floor) < 1)
       continue;
     // The place is behind an opposite side, and before one of its own room.

@@ -9,7 +9,6 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_check.h"
-#include "sedr_filters/src/walls/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
@@ -150,8 +149,6 @@ fitFloorplan(const PlanInput& input,
   giveCeilings(std::move(fitted.sheets), scan, of_scan, parameters.threads, plan);
   stateSlabs(plan, scan, of_scan, adjustment);
   endBelowRoomsAbove(plan, priors);
-  measureEvidence(plan, input.points, input.indices, priors.wall_band,
-                  parameters.threads);
   for (PlanRoom& room : plan.rooms)
     if (const std::string wrong = mendTilts(room); !wrong.empty())
       warnings.push_back({WarningKind::Contradiction, {}, room.id, 0, wrong});
