@@ -23,13 +23,12 @@ const std::size_t none = static_cast<std::size_t>(-1);
 WallMap::WallMap(const PlanRoom& room,
                  const WallSide& side,
                  std::vector<SidePoint> points,
-                 double depth,
                  const OpeningSizes& sizes,
-                 const std::vector<SightLine>& rays)
+                 const std::vector<SightLine>& rays,
+                 const std::function<double(double, double)>& depth)
     : length_(side.line.length())
     , base_(side.floor)
     , top_(side.ceiling)
-    , depth_(std::min(depth, sizes.max_depth))
     , before_(sizes.before)
     , points_(std::move(points))
 {
@@ -40,11 +39,17 @@ WallMap::WallMap(const PlanRoom& room,
   rows_ = static_cast<std::size_t>(
       std::max(1.0, std::ceil((side.ceiling - base_) / cell_)));
   findExtent(room, side);
+  for (std::size_t c = 0; c < columns_; ++c)
+    for (std::size_t r = 0; r < rows_; ++r)
+      depths_.push_back(static_cast<float>(
+          depth(cell_ * (static_cast<double>(c) + 0.5), heightOf(r) + cell_ / 2)));
   count(side, rays);
   closeGaps();
   findOffsets(side.line);
   points_.erase(std::remove_if(points_.begin(), points_.end(),
-                               [&](const SidePoint& p) { return p.offset < -depth_; }),
+                               [&](const SidePoint& p) {
+                                 return p.offset < -depthAt(p.along, p.height);
+                               }),
                 points_.end());
 }
 
@@ -65,6 +70,16 @@ WallMap::at(double along, double height) const
   const std::size_t i =
       indexOf({static_cast<float>(along), static_cast<float>(height), 0});
   return i == none ? WallCell::Beyond : cells_[i];
+}
+
+double
+WallMap::depthAt(double along, double height) const
+{
+  const auto c =
+      std::min(static_cast<std::size_t>(std::max(along / cell_, 0.0)), columns_ - 1);
+  const auto r = std::min(
+      static_cast<std::size_t>(std::max((height - base_) / cell_, 0.0)), rows_ - 1);
+  return depths_[c * rows_ + r];
 }
 
 /** @brief Finds the floor and the ceiling beside each column; what is above and below
@@ -270,7 +285,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     }
     else if (p.offset >= -tolerance_)
       is_slab ? ++before[i] : ++seen[i];
-    else if (p.offset > -depth_ + tolerance_)
+    else if (p.offset > -depths_[i] + tolerance_)
       ++within[i];
   }
   spread(shade);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl::sedr {
@@ -45,14 +46,15 @@ class WallMap {
 public:
   /** @brief Sorts points into cells whose size follows from their spacing.
    * @param points before and behind the side; those that it keeps are near the face
-   * @param depth thickness of the wall, at most
-   * @param rays of the scanners; none: unknown */
+   * @param rays of the scanners; none: unknown
+   * @param depth returns the thickness of the wall, at most, at a place along it and a
+   * height */
   WallMap(const PlanRoom& room,
           const WallSide& side,
           std::vector<SidePoint> points,
-          double depth,
           const OpeningSizes& sizes,
-          const std::vector<SightLine>& rays);
+          const std::vector<SightLine>& rays,
+          const std::function<double(double, double)>& depth);
 
   double cell() const { return cell_; }
   std::size_t columns() const { return columns_; }
@@ -96,8 +98,9 @@ public:
   /** @brief Returns how far points of the face are off it, three standard deviations.
    */
   double tolerance() const { return tolerance_; }
-  /** @brief Returns the thickness of the wall, at most. */
-  double depth() const { return depth_; }
+  /** @brief Returns the thickness of the wall, at most, at a place; likewise beside the
+   * map. */
+  double depthAt(double along, double height) const;
   /** @brief Returns the points before the face, on it and within the wall. */
   const std::vector<SidePoint>& points() const { return points_; }
 
@@ -124,11 +127,11 @@ private:
   std::size_t rows_ = 0;
   double tolerance_ = 0.02;
   double centre_ = 0; ///< of the face before the plan's surface
-  double depth_;
   double before_;
   std::vector<SidePoint> points_;
   std::vector<double> floors_;   ///< of each column
   std::vector<double> ceilings_; ///< of each column
+  std::vector<float> depths_;    ///< of each cell
   std::vector<WallCell> cells_;
   std::vector<float> offsets_;
   std::vector<float> ceiling_behind_;

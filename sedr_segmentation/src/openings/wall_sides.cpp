@@ -51,8 +51,8 @@ extendOverBays(std::vector<WallSide>& sides, const OpeningSizes& sizes)
     const auto reach = [&](double end, double step) {
       double far = end;
       while (std::abs(far - end) < sizes.max_gap &&
-             sideBehind(from, from[k], far + step, BehindKind::Own, sizes.max_depth) <
-                 from.size())
+             !sidesBehind(from, from[k], far + step, BehindKind::Own, sizes.max_depth)
+                  .empty())
         far += step;
       return line.pointAt(far);
     };
@@ -87,18 +87,17 @@ wallSides(const Floorplan& plan, const OpeningSizes& sizes)
   return sides;
 }
 
-std::size_t
-sideBehind(const std::vector<WallSide>& sides,
-           const WallSide& side,
-           double along,
-           BehindKind kind,
-           double max_depth)
+std::vector<SideBehind>
+sidesBehind(const std::vector<WallSide>& sides,
+            const WallSide& side,
+            double along,
+            BehindKind kind,
+            double max_depth)
 {
   const bool is_opposite = kind == BehindKind::Opposite;
   const Eigen::Vector2d place = side.line.pointAt(along);
   const Eigen::Vector2d normal = side.line.normalAt(along);
-  std::size_t best = sides.size();
-  double nearest = max_depth;
+  std::vector<SideBehind> found;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const WallSide& other = sides[k];
     if (&other == &side || !other.may_have_openings || !other.line.isBeside(place) ||
@@ -107,14 +106,15 @@ sideBehind(const std::vector<WallSide>& sides,
     // The place is behind an opposite side, and before one of its own room.
     const double behind = is_opposite ? -other.offset(place) : other.offset(place);
     const double cosine = other.line.normalAt(other.line.project(place)).dot(normal);
-    if (behind <= 0.01 || behind >= nearest ||
-        (is_opposite ? -cosine : cosine) < opening_numbers.min_cosine ||
-        (!is_opposite && other.room != side.room))
-      continue;
-    nearest = behind;
-    best = k;
+    if (behind > 0.01 && behind < max_depth &&
+        (is_opposite ? -cosine : cosine) >= opening_numbers.min_cosine &&
+        (is_opposite || other.room == side.room))
+      found.push_back({k, behind});
   }
-  return best;
+  std::stable_sort(
+      found.begin(), found.end(),
+      [](const SideBehind& a, const SideBehind& b) { return a.depth < b.depth; });
+  return found;
 }
 
 } // namespace pcl::sedr

@@ -54,13 +54,18 @@ enum class BehindKind {
   Own       ///< it belongs to the same room and faces the same way: a bay or niche
 };
 
-/** @brief Returns the nearest side of a kind behind a place of a side, at most
- * `max_depth` metres away.
- * @return its index, or the number of sides if there is none */
-std::size_t sideBehind(const std::vector<WallSide>& sides,
-                       const WallSide& side,
-                       double along,
-                       BehindKind kind,
-                       double max_depth);
+/** @brief A side behind a place of another one. */
+struct SideBehind {
+  std::size_t side = 0; ///< index
+  double depth = 0;     ///< metres from the place
+};
+
+/** @brief Returns the sides of a kind behind a place of a side, at most `max_depth`
+ * metres away and a metre or more of them at its heights, by their depths. */
+std::vector<SideBehind> sidesBehind(const std::vector<WallSide>& sides,
+                                    const WallSide& side,
+                                    double along,
+                                    BehindKind kind,
+                                    double max_depth);
 
 } // namespace pcl::sedr
