@@ -21,6 +21,7 @@ void
 addCells(const WallSide& side,
          const WallMap& map,
          const VerticalSurface& surface,
+         const std::vector<WallRectangle>& openings,
          CellCounts& counts)
 {
   const double length = surface.element->length();
@@ -28,7 +29,9 @@ addCells(const WallSide& side,
   const double start =
       side.line.isArc() ? 0 : side.line.project(surface.element->start);
   for (std::size_t c = 0; c < map.columns(); ++c) {
-    const double s = map.cell() * (static_cast<double>(c) + 0.5) - start;
+    const double from = map.cell() * static_cast<double>(c);
+    const double to = std::min(from + map.cell(), side.line.length());
+    const double s = (from + to) / 2 - start;
     if (s < margin || s > length - margin)
       continue;
     const VerticalSpan span = surface.spanAt(s);
@@ -38,7 +41,14 @@ addCells(const WallSide& side,
       if (z < span.low + map.slabBand() || z > span.high - map.slabBand() ||
           state == WallCell::Beyond)
         continue;
-      if (state == WallCell::Seen || map.offsetAt(c, r) == 0)
+      const bool is_open =
+          std::any_of(openings.begin(), openings.end(), [&](const WallRectangle& at) {
+            return s + start > at.from && s + start < at.to && z > at.bottom &&
+                   z < at.top;
+          });
+      if (is_open)
+        ++counts.opening;
+      else if (state == WallCell::Seen || map.offsetAt(c, r) == 0)
         ++counts.seen;
       else if (state == WallCell::Hidden || state == WallCell::Shaded)
         ++counts.hidden;
@@ -79,7 +89,7 @@ measureEvidence(const OpeningSearch& search, Floorplan& plan)
       if (const auto side = side_of.find(surface.element);
           side != side_of.end() && surface.label != StructureLabel::Detail)
         addCells(search.sides[side->second], search.maps[side->second], surface,
-                 counts[side->second]);
+                 openingsOn(plan, search.sides[side->second]), counts[side->second]);
   for (std::size_t k = 0; k < counts.size(); ++k)
     search.sides[k].in(plan).evidence = sharesOf(counts[k]);
 }

@@ -323,6 +323,7 @@ WallMap::findOffsets(const PlanElement& line)
   const double edge = std::max(opening_numbers.off_edge, noise);
   constexpr float nothing = -std::numeric_limits<float>::infinity();
   offsets_.assign(cells_.size(), nothing);
+  farthest_.assign(cells_.size(), 0);
   ceiling_behind_.assign(columns_, nothing);
   for (const SidePoint& p : points_) {
     const float offset = p.offset + static_cast<float>(centre_);
@@ -338,6 +339,7 @@ WallMap::findOffsets(const PlanElement& line)
     const std::size_t i = indexOf(p);
     if (i == none)
       continue;
+    farthest_[i] = std::min(farthest_[i], offset);
     float& nearest = offsets_[i];
     if (std::abs(offset) <= on)
       nearest = 0;

@@ -80,6 +80,13 @@ public:
     return offsets_[column * rows_ + row];
   }
 
+  /** @brief Returns likewise what is farthest behind the surface in a cell; 0: nothing.
+   */
+  float farthestAt(std::size_t column, std::size_t row) const
+  {
+    return farthest_[column * rows_ + row];
+  }
+
   /** @brief Returns likewise what is nearest behind the surface at the height of the
    * ceiling. */
   float ceilingBehind(std::size_t column) const { return ceiling_behind_[column]; }
@@ -134,6 +141,7 @@ private:
   std::vector<float> depths_;    ///< of each cell
   std::vector<WallCell> cells_;
   std::vector<float> offsets_;
+  std::vector<float> farthest_;
   std::vector<float> ceiling_behind_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../adjust/plan_adjustment.h"
 #include "../curves/joined_elements.h"
-#include "../niches/niche_fit.h"
 #include "../scan/scan_excerpt.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
@@ -145,7 +144,6 @@ fitFloorplan(const PlanInput& input,
     for (PlanLoop& column : room.columns)
       joinNeighbours(column);
   }
-  dropSharedNiches(plan);
   giveCeilings(std::move(fitted.sheets), scan, of_scan, parameters.threads, plan);
   stateSlabs(plan, scan, of_scan, adjustment);
   endBelowRoomsAbove(plan, priors);

@@ -158,7 +158,7 @@ ChainRun::fitPlan(StageReport& report)
   for (const PlanRoom& room : model.plan->rooms)
     for (const PlanElement& element : room.boundary.elements)
       report.points_out += element.inliers;
-  labelByPlan(rooms, owners, stages.refinement.getMaximumDistance(), model);
+  labelByPlan(rooms, stages.refinement.getMaximumDistance(), model);
   return {};
 }
 
@@ -175,6 +175,7 @@ ChainRun::findOpenings(StageReport& report)
           has_raw ? stages.floorplan_fitting.getRawIndices() : nullptr, *model.plan))
     return stages.opening_detection.getErrorMessage();
   numberOpenings(*model.plan);
+  labelNiches(owners, stages.refinement.getMaximumDistance(), model);
   const Building& building = stages.room_segmentation.getBuilding();
   append(linksWithoutOpening(building, *model.plan), model.warnings);
   append(unexplainedSurfaces(thinned, building, *model.plan,

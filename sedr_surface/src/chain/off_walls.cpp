@@ -79,12 +79,13 @@ public:
              const WallMap& map,
              const SeenSurfaces& rooms,
              const Priors& priors)
-      : plan_(plan)
-      , side_(side)
+      : side_(side)
+      , wall_(side.in(plan))
+      , openings_(openingsOn(plan, side))
       , map_(map)
       , rooms_(rooms)
-      , from_(side.line.isArc() ? 0 : side.line.project(side.in(plan).start))
-      , to_(from_ + side.in(plan).length())
+      , from_(side.line.isArc() ? 0 : side.line.project(wall_.start))
+      , to_(from_ + wall_.length())
       , priors_(priors)
   {}
 
@@ -138,23 +139,15 @@ private:
   bool isInOpening(double s, double z) const
   {
     constexpr double rim = 0.15; // metres
-    return std::any_of(
-        plan_.openings.begin(), plan_.openings.end(), [&](const PlanOpening& o) {
-          if (z < o.bottom - rim || z > o.top + rim ||
-              isAsLongAs(side_.in(plan_), o.width(), priors_) ||
-              std::none_of(o.walls.begin(), o.walls.end(), [&](const OpeningWall& of) {
-                return side_.isWall() && of.element == side_.element &&
-                       of.room == plan_.rooms[side_.room].id;
-              }))
-            return false;
-          const auto [a, b] =
-              std::minmax({side_.line.project(o.start), side_.line.project(o.end)});
-          return s > a - rim && s < b + rim;
-        });
+    return std::any_of(openings_.begin(), openings_.end(), [&](const WallRectangle& o) {
+      return s > o.from - rim && s < o.to + rim && z > o.bottom - rim &&
+             z < o.top + rim && !isAsLongAs(wall_, o.to - o.from, priors_);
+    });
   }
 
-  const Floorplan& plan_;
   const WallSide& side_;
+  const PlanElement& wall_;
+  std::vector<WallRectangle> openings_;
   const WallMap& map_;
   const SeenSurfaces& rooms_;
   double from_; ///< of the wall, along its side

@@ -2,7 +2,7 @@
 #include "room_evidence.h"
 #include "two_storeys.h"
 
-#include "sedr_segmentation/src/niches/niche_fit.h"
+#include "sedr_segmentation/src/openings/wall_niches.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 
 #include <gtest/gtest.h>
@@ -44,13 +44,13 @@ TEST(RoomsAboveRooms, KeepTheirNiches)
 {
   Floorplan plan = twoStoreys(0.5);
   // A niche in the wall to the next room, below an existing room.
-  plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
+  const PlanNiche niche{{polygon({{1, 3}, {1, 3.2}, {2, 3.2}, {2, 3}})},
+                        slabAt(1),
+                        slabAt(2)};
   plan.rooms[2].boundary = rectangle(0, 0, 4.5, 3.5);
-  dropSharedNiches(plan);
-  EXPECT_EQ(plan.rooms[0].niches.size(), 1u);
+  EXPECT_FALSE(isShared(plan, plan.rooms[0], niche));
   plan.rooms[2].floor = slabAt(0);
-  dropSharedNiches(plan);
-  EXPECT_TRUE(plan.rooms[0].niches.empty()) << "the other room is beside it";
+  EXPECT_TRUE(isShared(plan, plan.rooms[0], niche)) << "the other room is beside it";
 }
 
 /** A roof over the hall, rising by `rise` in each metre along x. */
