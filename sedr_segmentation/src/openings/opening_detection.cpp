@@ -2,6 +2,8 @@
 #include "opening_kind.h"
 #include "opening_leaf.h"
 #include "opening_search.h"
+#include "wall_evidence.h"
+#include "wall_niches.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -36,6 +38,8 @@ findOpenings(const PointView& points,
     return problem;
   OpeningParameters parameters;
   parameters.sizes.max_depth = priors.max_wall;
+  parameters.sizes.behind =
+      std::max(parameters.sizes.behind, priors.max_niche_depth + 2 * priors.run_gap);
   parameters.threads = threads;
   auto found =
       std::make_shared<OpeningSearch>(plan, points, indices.get(), sight, parameters);
@@ -44,10 +48,12 @@ findOpenings(const PointView& points,
     return "none of the " + std::to_string(indices ? indices->size() : points.size()) +
            " points lies at a wall of the floor plan";
   plan.openings.clear();
+  findNiches(priors, *found, plan);
   findLeaves(plan, points, indices.get(), parameters.sizes, threads, found->found);
   nameOpenings(plan, *found, parameters.sizes);
   for (const FoundOpening& opening : found->found)
     plan.openings.push_back(opening.opening);
+  measureEvidence(*found, plan);
   search = std::move(found);
   return {};
 }

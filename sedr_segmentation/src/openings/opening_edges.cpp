@@ -70,7 +70,7 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
     const double at = offsetOf(p);
     return p.offset < -map.tolerance() &&
            p.offset > -map.tolerance() - opening_numbers.reveal_strip &&
-           p.offset > -map.depth() + map.tolerance() && at >= 0 &&
+           p.offset > -map.depthAt(p.along, p.height) + map.tolerance() && at >= 0 &&
            at < 2 * sizes.edge_reach && edge.across(p) >= low && edge.across(p) < high;
   };
   for (const SidePoint& p : map.points())

@@ -44,10 +44,10 @@ public:
         BothSides& cell = cells_[c * rows_ + r];
         if (is_wall[c])
           cell.here = openOr(map.at(c, r));
-        cell.is_known = behind[c].map != nullptr;
+        const MapBehind& other = behind[c * rows_ + r];
+        cell.is_known = other.map != nullptr;
         if (cell.is_known)
-          cell.behind =
-              openOr(behind[c].map->at(behind[c].along, map.heightOf(r) + cell_ / 2));
+          cell.behind = openOr(other.map->at(other.along, map.heightOf(r) + cell_ / 2));
       }
   }
 

@@ -8,14 +8,14 @@
 
 namespace pcl::sedr {
 
-/** @brief The side behind each column of a map. */
+/** @brief The side behind a cell of a map. */
 struct MapBehind {
   const WallMap* map = nullptr; ///< null: none is known
   double along = 0;             ///< place on it
 };
 
 /** @brief Returns the gains of openings on a map.
- * @param behind of each column
+ * @param behind of each cell
  * @param is_wall of each column, whether the side is there: not where the room goes on
  * to another wall behind it */
 CellGains openingGains(const WallMap& map,

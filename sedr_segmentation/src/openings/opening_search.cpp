@@ -15,31 +15,60 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief The sides behind one side, at steps along it. */
-struct Backs {
-  std::vector<std::size_t> behind;
-  double nearest = std::numeric_limits<double>::infinity(); ///< distance of any
-
+class Backs {
+public:
   Backs(const std::vector<WallSide>& sides,
         std::size_t side,
         BehindKind kind,
         double max_depth)
+      : sides_(sides)
   {
-    const PlanElement& line = sides[side].line;
+    const double length = sides[side].line.length();
     const double step = opening_numbers.back_step;
-    for (double s = step / 2; s < line.length() + step / 2; s += step) {
-      const double along = std::min(s, line.length());
-      behind.push_back(sideBehind(sides, sides[side], along, kind, max_depth));
-      if (behind.back() < sides.size())
-        nearest = std::min(nearest, -sides[behind.back()].offset(line.pointAt(along)));
+    for (double s = step / 2; s < length + step / 2; s += step) {
+      behind_.push_back(
+          sidesBehind(sides, sides[side], std::min(s, length), kind, max_depth));
+      if (!behind_.back().empty())
+        nearest_ = std::min(nearest_, behind_.back().front().depth);
     }
   }
 
-  std::size_t at(double along) const
+  /** @brief Returns the sides behind a place of any height, by their depths. */
+  const std::vector<SideBehind>& at(double along) const
   {
     const auto k =
         static_cast<std::size_t>(std::max(along, 0.0) / opening_numbers.back_step);
-    return behind[std::min(k, behind.size() - 1)];
+    return behind_[std::min(k, behind_.size() - 1)];
   }
+
+  /** @brief Returns the nearest side behind a place at a height, of a room above or
+   * below where there is none at the height; null: none at all. */
+  const SideBehind* at(double along, double height) const
+  {
+    const SideBehind* best = nullptr;
+    double off = std::numeric_limits<double>::infinity();
+    for (const SideBehind& behind : at(along)) {
+      const WallSide& side = sides_[behind.side];
+      const double beyond = std::max({side.floor - height, height - side.ceiling, 0.0});
+      if (beyond < off)
+        best = &behind;
+      off = std::min(off, beyond);
+    }
+    return best;
+  }
+
+  /** @brief Returns the depth of the side behind a place, where there is none that of
+   * the nearest one anywhere; infinite: none at all. */
+  double depthAt(double along, double height) const
+  {
+    const SideBehind* const behind = at(along, height);
+    return behind ? behind->depth : nearest_;
+  }
+
+private:
+  const std::vector<WallSide>& sides_;
+  std::vector<std::vector<SideBehind>> behind_;
+  double nearest_ = std::numeric_limits<double>::infinity();
 };
 
 /** @brief Whether two openings are the same one, seen from two sides or by two walls in
@@ -83,6 +112,7 @@ double
 revealDepth(const WallMap& map, const WallRectangle& at)
 {
   const double reach = opening_numbers.on_face;
+  const double deepest = map.depthAt((at.from + at.to) / 2, (at.bottom + at.top) / 2);
   std::vector<double> depths;
   for (const SidePoint& p : map.points())
     if (p.offset < -2 * map.tolerance() && p.along > at.from - reach &&
@@ -92,21 +122,21 @@ revealDepth(const WallMap& map, const WallRectangle& at)
          p.height > at.top - reach))
       depths.push_back(-p.offset);
   if (static_cast<double>(depths.size()) < opening_numbers.min_points)
-    return map.depth();
+    return deepest;
   constexpr double share = 0.95; // of them is seen before this share of the depth
   const auto deep =
       depths.begin() +
       static_cast<std::ptrdiff_t>(share * static_cast<double>(depths.size() - 1));
   std::nth_element(depths.begin(), deep, depths.end());
-  return std::min(std::max(*deep / share, opening_numbers.usual_wall), map.depth());
+  return std::min(std::max(*deep / share, opening_numbers.usual_wall), deepest);
 }
 
 /** @brief Adds the wall of a side; none of a column. */
 void
 addWall(const Floorplan& plan, const WallSide& side, PlanOpening& opening)
 {
-  for (const std::size_t e : side.elements)
-    opening.walls.push_back({plan.rooms[side.room].id, e});
+  if (side.isWall())
+    opening.walls.push_back({plan.rooms[side.room].id, side.element});
 }
 
 /** @brief Finds what may be openings on all sides. */
@@ -126,7 +156,8 @@ public:
                 const SightLines* sight)
   {
     const std::vector<WallSide>& sides = search_.sides;
-    auto beside = pointsBeside(sides, points, indices, sizes_.before, sizes_.max_depth);
+    auto beside = pointsBeside(sides, points, indices, sizes_.before,
+                               std::max(sizes_.behind, sizes_.max_depth));
     const std::vector<SightLine> rays =
         sight ? sight->lines() : std::vector<SightLine>();
     std::vector<std::optional<WallMap>> maps(sides.size());
@@ -136,7 +167,10 @@ public:
     }
     parallelFor(sides.size(), 1, parameters_.threads, [&](std::size_t k) {
       maps[k].emplace(plan_.rooms[sides[k].room], sides[k], std::move(beside[k]),
-                      std::min(backs_[k].nearest, sizes_.shallow), sizes_, rays);
+                      sizes_, rays, [&](double along, double height) {
+                        return std::min(backs_[k].depthAt(along, height),
+                                        sizes_.shallow);
+                      });
     });
     for (auto& map : maps)
       search_.maps.push_back(std::move(*map));
@@ -145,8 +179,10 @@ public:
   void find()
   {
     std::vector<std::vector<FoundOpening>> on_side(search_.sides.size());
-    parallelFor(on_side.size(), 1, parameters_.threads,
-                [&](std::size_t k) { on_side[k] = openingsOn(k); });
+    parallelFor(on_side.size(), 1, parameters_.threads, [&](std::size_t k) {
+      if (search_.sides[k].may_have_openings)
+        on_side[k] = openingsOn(k);
+    });
     for (auto& list : on_side)
       search_.found.insert(search_.found.end(), list.begin(), list.end());
   }
@@ -172,7 +208,9 @@ private:
       }
       FoundOpening candidate;
       candidate.side = side;
-      candidate.behind = backs_[side].at((rectangle.from + rectangle.to) / 2);
+      const SideBehind* const behind = backs_[side].at(
+          (rectangle.from + rectangle.to) / 2, (rectangle.bottom + rectangle.top) / 2);
+      candidate.behind = behind ? behind->side : search_.sides.size();
       candidate.gain = cells.gain;
       candidate.around = seenAround(candidate, rectangle);
       if (candidate.around < sizes_.min_around)
@@ -194,21 +232,30 @@ private:
   {
     const std::vector<WallSide>& sides = search_.sides;
     const WallMap& map = search_.maps[k];
-    std::vector<MapBehind> behind(map.columns());
+    std::vector<MapBehind> behind(map.columns() * map.rows());
     std::vector<bool> is_wall(map.columns(), true);
     for (std::size_t c = 0; c < map.columns(); ++c) {
       const double s = map.cell() * (static_cast<double>(c) + 0.5);
       const Eigen::Vector2d place = sides[k].line.pointAt(s);
-      if (const std::size_t b = backs_[k].at(s); b < sides.size())
-        behind[c] = {&search_.maps[b], sides[b].line.project(place)};
-      if (const std::size_t bay = bays_[k].at(s); bay < sides.size())
-        is_wall[c] =
-            (behind[c].map != nullptr && // the bay ends within the wall
-             behind[c].map->seenHeight(behind[c].along) < sizes_.on_floor) ||
-            map.seenHeight(s) >
-                std::max(sizes_.on_floor, opening_numbers.bay_share *
-                                              search_.maps[bay].seenHeight(
-                                                  sides[bay].line.project(place)));
+      const auto seenOf = [&](const SideBehind& other) {
+        return search_.maps[other.side].seenHeight(
+            sides[other.side].line.project(place));
+      };
+      for (std::size_t r = 0; r < map.rows(); ++r)
+        if (const SideBehind* const other =
+                backs_[k].at(s, map.heightOf(r) + map.cell() / 2))
+          behind[c * map.rows() + r] = {&search_.maps[other->side],
+                                        sides[other->side].line.project(place)};
+      const std::vector<SideBehind>& backs = backs_[k].at(s);
+      if (const std::vector<SideBehind>& bay = bays_[k].at(s); !bay.empty())
+        is_wall[c] = (!backs.empty() && // the bay ends within the wall
+                      std::all_of(backs.begin(), backs.end(),
+                                  [&](const SideBehind& back) {
+                                    return seenOf(back) < sizes_.on_floor;
+                                  })) ||
+                     map.seenHeight(s) >
+                         std::max(sizes_.on_floor,
+                                  opening_numbers.bay_share * seenOf(bay.front()));
     }
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
   }
@@ -297,8 +344,12 @@ private:
     candidate.filled = map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1,
                                    at.bottom + 0.1, at.top - 0.1);
     o.rooms[0] = room.id;
-    o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id
-                           : roomBehind(plan_, o, map.depth() - o.depth / 2 + 0.3);
+    o.rooms[1] =
+        is_paired
+            ? plan_.rooms[search_.sides[candidate.behind].room].id
+            : roomBehind(plan_, o,
+                         map.depthAt((at.from + at.to) / 2, (at.bottom + at.top) / 2) -
+                             o.depth / 2 + 0.3);
     const double floor = highestFloor(plan_, o);
     const double step =
         std::max(sizes_.on_floor, 1.2 * map.cell()); // rows hold the floor's points
@@ -317,6 +368,21 @@ private:
 };
 
 } // namespace
+
+std::vector<WallRectangle>
+openingsOn(const Floorplan& plan, const WallSide& side)
+{
+  std::vector<WallRectangle> on_side;
+  for (const PlanOpening& opening : plan.openings)
+    for (const OpeningWall& of : opening.walls)
+      if (side.isWall() && of.element == side.element &&
+          of.room == plan.rooms[side.room].id) {
+        const auto [from, to] = std::minmax(
+            {side.line.project(opening.start), side.line.project(opening.end)});
+        on_side.push_back({from, to, opening.bottom, opening.top});
+      }
+  return on_side;
+}
 
 double
 highestFloor(const Floorplan& plan, const PlanOpening& opening)

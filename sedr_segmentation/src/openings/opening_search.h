@@ -62,6 +62,9 @@ struct OpeningSearch {
   double seenInside(const FoundOpening& opening) const;
 };
 
+/** @brief Returns where the openings of a plan lie on a side. */
+std::vector<WallRectangle> openingsOn(const Floorplan& plan, const WallSide& side);
+
 /** @brief Returns the height of the floor before or behind an opening, the higher one.
  */
 double highestFloor(const Floorplan& plan, const PlanOpening& opening);

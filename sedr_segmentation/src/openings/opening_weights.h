@@ -38,6 +38,7 @@ struct OpeningSizes {
   double max_depth = 0.6;      ///< of a wall: Priors::max_wall
   double shallow = 0.3;        ///< of a wall without a known face behind it
   double before = 1.2;         ///< depth of what hides it
+  double behind = 0.9;         ///< depth of what may be the wall in its place
   double on_floor = 0.06;      ///< maximum height of a threshold
   double min_around = 0.3;     ///< share of jambs and head with a wall beside them
   double beside = 0.1;         ///< distance from them, beyond the points of a corner;
@@ -78,6 +79,8 @@ struct OpeningNumbers {
   double min_tolerance = 0.02; ///< of points of a face, metres
   double slab_band = 0.04;     ///< of points of floor and ceiling, metres
   double on_face = 0.05;       ///< of boards on a wall and of a reveal, metres
+  double on_model = 0.05;      ///< of points on a wall of the plan, metres
+  double off_edge = 0.02;      ///< of a ceiling that goes on behind a wall, metres
   double min_points = 50;      ///< that show the noise of a face
   double cell_points = 3;      ///< in the middle one of the cells that were seen
   double least_share = 0.15;   ///< of the usual points of a cell in one that was seen

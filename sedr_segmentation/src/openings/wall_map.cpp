@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::sedr {
 
@@ -22,13 +23,12 @@ const std::size_t none = static_cast<std::size_t>(-1);
 WallMap::WallMap(const PlanRoom& room,
                  const WallSide& side,
                  std::vector<SidePoint> points,
-                 double depth,
                  const OpeningSizes& sizes,
-                 const std::vector<SightLine>& rays)
+                 const std::vector<SightLine>& rays,
+                 const std::function<double(double, double)>& depth)
     : length_(side.line.length())
     , base_(side.floor)
     , top_(side.ceiling)
-    , depth_(std::min(depth, sizes.max_depth))
     , before_(sizes.before)
     , points_(std::move(points))
 {
@@ -39,10 +39,17 @@ WallMap::WallMap(const PlanRoom& room,
   rows_ = static_cast<std::size_t>(
       std::max(1.0, std::ceil((side.ceiling - base_) / cell_)));
   findExtent(room, side);
+  for (std::size_t c = 0; c < columns_; ++c)
+    for (std::size_t r = 0; r < rows_; ++r)
+      depths_.push_back(static_cast<float>(
+          depth(cell_ * (static_cast<double>(c) + 0.5), heightOf(r) + cell_ / 2)));
   count(side, rays);
   closeGaps();
+  findOffsets(side.line);
   points_.erase(std::remove_if(points_.begin(), points_.end(),
-                               [&](const SidePoint& p) { return p.offset < -depth_; }),
+                               [&](const SidePoint& p) {
+                                 return p.offset < -depthAt(p.along, p.height);
+                               }),
                 points_.end());
 }
 
@@ -63,6 +70,16 @@ WallMap::at(double along, double height) const
   const std::size_t i =
       indexOf({static_cast<float>(along), static_cast<float>(height), 0});
   return i == none ? WallCell::Beyond : cells_[i];
+}
+
+double
+WallMap::depthAt(double along, double height) const
+{
+  const auto c =
+      std::min(static_cast<std::size_t>(std::max(along / cell_, 0.0)), columns_ - 1);
+  const auto r = std::min(
+      static_cast<std::size_t>(std::max((height - base_) / cell_, 0.0)), rows_ - 1);
+  return depths_[c * rows_ + r];
 }
 
 /** @brief Finds the floor and the ceiling beside each column; what is above and below
@@ -123,6 +140,7 @@ WallMap::centreFace()
                           opening_numbers.min_tolerance, opening_numbers.noise_band);
   for (SidePoint& p : points_)
     p.offset -= static_cast<float>(middle);
+  centre_ = middle;
 }
 
 /** @brief Makes cells as small as possible with enough points in those that were
@@ -254,7 +272,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     if (i == none)
       continue;
     const std::size_t c = i / rows_;
-    const double margin = std::max(opening_numbers.slab_band, cell_ / 2);
+    const double margin = slabBand();
     const bool is_slab =
         p.height < floors_[c] + margin || p.height > ceilings_[c] - margin;
     if (p.offset > before_)
@@ -267,7 +285,7 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
     }
     else if (p.offset >= -tolerance_)
       is_slab ? ++before[i] : ++seen[i];
-    else if (p.offset > -depth_ + tolerance_)
+    else if (p.offset > -depths_[i] + tolerance_)
       ++within[i];
   }
   spread(shade);
@@ -295,6 +313,39 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
       else if (shade[i] > 0)
         cells_[i] = WallCell::Shaded;
     }
+}
+
+void
+WallMap::findOffsets(const PlanElement& line)
+{
+  const double noise = 3 * line.residual;
+  const double on = std::max(opening_numbers.on_model, noise);
+  const double edge = std::max(opening_numbers.off_edge, noise);
+  constexpr float nothing = -std::numeric_limits<float>::infinity();
+  offsets_.assign(cells_.size(), nothing);
+  farthest_.assign(cells_.size(), 0);
+  ceiling_behind_.assign(columns_, nothing);
+  for (const SidePoint& p : points_) {
+    const float offset = p.offset + static_cast<float>(centre_);
+    const auto c = static_cast<std::size_t>(std::max(p.along, 0.0F) / cell_);
+    if (c >= columns_ || p.height < floors_[c] + opening_numbers.on_face ||
+        p.height > ceilings_[c] + opening_numbers.on_face)
+      continue;
+    if (p.height > ceilings_[c] - opening_numbers.on_face) {
+      if (offset < -edge)
+        ceiling_behind_[c] = std::max(ceiling_behind_[c], offset);
+      continue;
+    }
+    const std::size_t i = indexOf(p);
+    if (i == none)
+      continue;
+    farthest_[i] = std::min(farthest_[i], offset);
+    float& nearest = offsets_[i];
+    if (std::abs(offset) <= on)
+      nearest = 0;
+    else if (offset > 0 ? nearest < 0 || nearest > offset : nearest < offset)
+      nearest = offset;
+  }
 }
 
 /** @brief Makes cells without points between seen ones of a row seen where the gap is

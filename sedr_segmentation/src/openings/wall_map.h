@@ -9,7 +9,9 @@
 
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl::sedr {
@@ -44,14 +46,15 @@ class WallMap {
 public:
   /** @brief Sorts points into cells whose size follows from their spacing.
    * @param points before and behind the side; those that it keeps are near the face
-   * @param depth thickness of the wall, at most
-   * @param rays of the scanners; none: unknown */
+   * @param rays of the scanners; none: unknown
+   * @param depth returns the thickness of the wall, at most, at a place along it and a
+   * height */
   WallMap(const PlanRoom& room,
           const WallSide& side,
           std::vector<SidePoint> points,
-          double depth,
           const OpeningSizes& sizes,
-          const std::vector<SightLine>& rays);
+          const std::vector<SightLine>& rays,
+          const std::function<double(double, double)>& depth);
 
   double cell() const { return cell_; }
   std::size_t columns() const { return columns_; }
@@ -69,6 +72,29 @@ public:
   /** @brief Returns the state at a place; Beyond if it is not on the map. */
   WallCell at(double along, double height) const;
 
+  /** @brief Returns how far before the plan's surface lies what is nearest to it in a
+   * cell, metres: 0 on it, else of what is before it, else, below 0, of what is behind
+   * it; minus infinity where there is nothing. */
+  float offsetAt(std::size_t column, std::size_t row) const
+  {
+    return offsets_[column * rows_ + row];
+  }
+
+  /** @brief Returns likewise what is farthest behind the surface in a cell; 0: nothing.
+   */
+  float farthestAt(std::size_t column, std::size_t row) const
+  {
+    return farthest_[column * rows_ + row];
+  }
+
+  /** @brief Returns likewise what is nearest behind the surface at the height of the
+   * ceiling. */
+  float ceilingBehind(std::size_t column) const { return ceiling_behind_[column]; }
+
+  /** @brief Returns up to which distance from floor and ceiling points are theirs,
+   * metres. */
+  double slabBand() const { return std::max(opening_numbers.slab_band, cell_ / 2); }
+
   /** @brief Returns the share of the cells of a rectangle that are in a state. */
   double
   shareOf(WallCell state, double from, double to, double bottom, double top) const;
@@ -79,8 +105,9 @@ public:
   /** @brief Returns how far points of the face are off it, three standard deviations.
    */
   double tolerance() const { return tolerance_; }
-  /** @brief Returns the thickness of the wall, at most. */
-  double depth() const { return depth_; }
+  /** @brief Returns the thickness of the wall, at most, at a place; likewise beside the
+   * map. */
+  double depthAt(double along, double height) const;
   /** @brief Returns the points before the face, on it and within the wall. */
   const std::vector<SidePoint>& points() const { return points_; }
 
@@ -89,6 +116,7 @@ private:
   void chooseCell();
   void findExtent(const PlanRoom& room, const WallSide& side);
   void count(const WallSide& side, const std::vector<SightLine>& rays);
+  void findOffsets(const PlanElement& line);
   void follow(const WallSide& side,
               const SightLine& ray,
               std::vector<std::uint32_t>& through,
@@ -105,12 +133,16 @@ private:
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
   double tolerance_ = 0.02;
-  double depth_;
+  double centre_ = 0; ///< of the face before the plan's surface
   double before_;
   std::vector<SidePoint> points_;
   std::vector<double> floors_;   ///< of each column
   std::vector<double> ceilings_; ///< of each column
+  std::vector<float> depths_;    ///< of each cell
   std::vector<WallCell> cells_;
+  std::vector<float> offsets_;
+  std::vector<float> farthest_;
+  std::vector<float> ceiling_behind_;
 };
 
 /** @brief Returns the points of a scan beside each side: up to `before` metres before

@@ -45,14 +45,14 @@ extendOverBays(std::vector<WallSide>& sides, const OpeningSizes& sizes)
   const std::vector<WallSide> from = sides;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const PlanElement& line = from[k].line;
-    if (line.isArc())
+    if (line.isArc() || !from[k].may_have_openings)
       continue;
     const double length = line.length();
     const auto reach = [&](double end, double step) {
       double far = end;
       while (std::abs(far - end) < sizes.max_gap &&
-             sideBehind(from, from[k], far + step, BehindKind::Own, sizes.max_depth) <
-                 from.size())
+             !sidesBehind(from, from[k], far + step, BehindKind::Own, sizes.max_depth)
+                  .empty())
         far += step;
       return line.pointAt(far);
     };
@@ -69,52 +69,52 @@ wallSides(const Floorplan& plan, const OpeningSizes& sizes)
   std::vector<WallSide> sides;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    const auto add = [&](const PlanLoop& loop, bool is_boundary) {
+    const auto add = [&](const PlanLoop& loop, int column) {
+      const bool is_surrounded =
+          column < 0 || loop.length() > opening_numbers.min_island;
       for (std::size_t e = 0; e < loop.elements.size(); ++e)
-        if (loop.elements[e].length() >= sizes.min_side) {
-          sides.push_back({r, loop.elements[e]});
-          if (is_boundary)
-            sides.back().elements = {e};
+        if (const double length = loop.elements[e].length(); length > 0) {
+          sides.push_back({r, loop.elements[e], e, column,
+                           is_surrounded && length >= sizes.min_side});
           addHeights(room, sides.back());
         }
     };
-    add(room.boundary, true);
-    for (const PlanLoop& column : room.columns)
-      if (column.length() > opening_numbers.min_island)
-        add(column, false);
+    add(room.boundary, -1);
+    for (std::size_t c = 0; c < room.columns.size(); ++c)
+      add(room.columns[c], static_cast<int>(c));
   }
   extendOverBays(sides, sizes);
   return sides;
 }
 
-std::size_t
-sideBehind(const std::vector<WallSide>& sides,
-           const WallSide& side,
-           double along,
-           BehindKind kind,
-           double max_depth)
+std::vector<SideBehind>
+sidesBehind(const std::vector<WallSide>& sides,
+            const WallSide& side,
+            double along,
+            BehindKind kind,
+            double max_depth)
 {
   const bool is_opposite = kind == BehindKind::Opposite;
   const Eigen::Vector2d place = side.line.pointAt(along);
   const Eigen::Vector2d normal = side.line.normalAt(along);
-  std::size_t best = sides.size();
-  double nearest = max_depth;
+  std::vector<SideBehind> found;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const WallSide& other = sides[k];
-    if (&other == &side || !other.line.isBeside(place) ||
+    if (&other == &side || !other.may_have_openings || !other.line.isBeside(place) ||
         std::min(other.ceiling, side.ceiling) - std::max(other.floor, side.floor) < 1)
       continue;
     // The place is behind an opposite side, and before one of its own room.
     const double behind = is_opposite ? -other.offset(place) : other.offset(place);
     const double cosine = other.line.normalAt(other.line.project(place)).dot(normal);
-    if (behind <= 0.01 || behind >= nearest ||
-        (is_opposite ? -cosine : cosine) < opening_numbers.min_cosine ||
-        (!is_opposite && other.room != side.room))
-      continue;
-    nearest = behind;
-    best = k;
+    if (behind > 0.01 && behind < max_depth &&
+        (is_opposite ? -cosine : cosine) >= opening_numbers.min_cosine &&
+        (is_opposite || other.room == side.room))
+      found.push_back({k, behind});
   }
-  return best;
+  std::stable_sort(
+      found.begin(), found.end(),
+      [](const SideBehind& a, const SideBehind& b) { return a.depth < b.depth; });
+  return found;
 }
 
 } // namespace pcl::sedr

@@ -14,12 +14,25 @@ namespace pcl::sedr {
 /** @brief One side of a wall, as one room has it, led on over bays at its ends that are
  * drawn to their panes. */
 struct WallSide {
-  std::size_t room = 0;                ///< index into Floorplan::rooms
-  PlanElement line;                    ///< the room is to its left
-  std::vector<std::size_t> elements{}; ///< of the room's boundary; none: a column
-  double floor = 0;                    ///< minimum along it, metres
-  double ceiling = 0;                  ///< maximum along it, metres
-  double foot = 0;                     ///< height at which its line lies, metres
+  std::size_t room = 0;           ///< index into Floorplan::rooms
+  PlanElement line;               ///< the room is to its left
+  std::size_t element = 0;        ///< of the loop
+  int column = -1;                ///< the loop, of the room's columns; -1: its boundary
+  bool may_have_openings = false; ///< long enough, and no side of a column
+  double floor = 0;               ///< minimum along it, metres
+  double ceiling = 0;             ///< maximum along it, metres
+  double foot = 0;                ///< height at which its line lies, metres
+
+  bool isWall() const { return column < 0; }
+
+  /** @brief Returns the element of a plan that it is a side of. */
+  template <typename Plan>
+  auto& in(Plan& plan) const
+  {
+    auto& of = plan.rooms[room];
+    return (isWall() ? of.boundary : of.columns[static_cast<std::size_t>(column)])
+        .elements[element];
+  }
 
   /** @brief Returns the distance of a place before (above 0) or behind its line. */
   double offset(const Eigen::Vector2d& p) const;
@@ -32,7 +45,7 @@ struct WallSide {
   }
 };
 
-/** @brief Returns the sides of all walls of a plan. O(sides squared). */
+/** @brief Returns the sides of all walls and columns of a plan. O(sides squared). */
 std::vector<WallSide> wallSides(const Floorplan& plan, const OpeningSizes& sizes);
 
 /** @brief What a side behind another one is. */
@@ -41,13 +54,18 @@ enum class BehindKind {
   Own       ///< it belongs to the same room and faces the same way: a bay or niche
 };
 
-/** @brief Returns the nearest side of a kind behind a place of a side, at most
- * `max_depth` metres away.
- * @return its index, or the number of sides if there is none */
-std::size_t sideBehind(const std::vector<WallSide>& sides,
-                       const WallSide& side,
-                       double along,
-                       BehindKind kind,
-                       double max_depth);
+/** @brief A side behind a place of another one. */
+struct SideBehind {
+  std::size_t side = 0; ///< index
+  double depth = 0;     ///< metres from the place
+};
+
+/** @brief Returns the sides of a kind behind a place of a side, at most `max_depth`
+ * metres away and a metre or more of them at its heights, by their depths. */
+std::vector<SideBehind> sidesBehind(const std::vector<WallSide>& sides,
+                                    const WallSide& side,
+                                    double along,
+                                    BehindKind kind,
+                                    double max_depth);
 
 } // namespace pcl::sedr

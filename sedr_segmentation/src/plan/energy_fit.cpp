@@ -3,7 +3,6 @@
 
 #include "../arrangement/storey_plan.h"
 #include "../faces/storeys.h"
-#include "../niches/niche_fit.h"
 #include "../sheets/sheet_relief.h"
 #include "outline_samples.h"
 #include "sedr_filters/src/base/parallel.h"
@@ -255,10 +254,8 @@ private:
     std::vector<std::vector<RoomSheet>> of_rooms(rooms_.size());
     parallelBlocks(rooms_.size(), 1, parameters_.threads,
                    [&](std::size_t r, std::size_t) {
-                     if (!rooms_[r].boundary.elements.empty() && isKnownRoom(r)) {
+                     if (!rooms_[r].boundary.elements.empty() && isKnownRoom(r))
                        of_rooms[r] = surfacesOf(r);
-                       rooms_[r].niches = nichesOf(r);
-                     }
                    });
     for (auto& sheets : of_rooms)
       std::move(sheets.begin(), sheets.end(), std::back_inserter(fitted_.sheets));
@@ -286,17 +283,6 @@ private:
         sheets.push_back(std::move(sheet));
     }
     return sheets;
-  }
-
-  std::vector<PlanNiche> nichesOf(std::size_t r) const
-  {
-    std::vector<int> beside = parts_[r].around;
-    beside.insert(beside.end(), parts_[r].behind.begin(), parts_[r].behind.end());
-    NicheParameters of_niches;
-    of_niches.threads = 1;
-    of_niches.priors = parameters_.priors;
-    of_niches.cell_size = parameters_.cell_size;
-    return fitNiches(points_, beside, rooms_[r], of_niches);
   }
 
   /** @brief Gives the plan the rooms that are known, and warns of what is not. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../adjust/plan_adjustment.h"
 #include "../curves/joined_elements.h"
-#include "../niches/niche_fit.h"
 #include "../scan/scan_excerpt.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
@@ -9,7 +8,6 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_check.h"
-#include "sedr_filters/src/walls/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
@@ -146,12 +144,9 @@ fitFloorplan(const PlanInput& input,
     for (PlanLoop& column : room.columns)
       joinNeighbours(column);
   }
-  dropSharedNiches(plan);
   giveCeilings(std::move(fitted.sheets), scan, of_scan, parameters.threads, plan);
   stateSlabs(plan, scan, of_scan, adjustment);
   endBelowRoomsAbove(plan, priors);
-  measureEvidence(plan, input.points, input.indices, priors.wall_band,
-                  parameters.threads);
   for (PlanRoom& room : plan.rooms)
     if (const std::string wrong = mendTilts(room); !wrong.empty())
       warnings.push_back({WarningKind::Contradiction, {}, room.id, 0, wrong});

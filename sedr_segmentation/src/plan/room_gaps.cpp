@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_gaps.h"
 
-#include "../niches/niche_fit.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/cell_count.h"
 
@@ -19,14 +18,14 @@ RoomGaps::RoomGaps(const CellGrid& grid,
     , below_(priors.patch)
     , wall_steps_(cellsFor(wallReach(priors), grid.size(), 3))
 {
-  NicheParameters of_niches;
-  of_niches.priors = priors;
+  // As far as openings are looked through for the backs of niches.
+  const double niches = priors.max_niche_depth + 2 * priors.run_gap + 0.1;
   for (const RoomGap& gap : gaps) {
     const float low = gap.low < gap.high ? gap.low : gap.lowest;
     if (low < gap.high)
       add(gap.cell, {low, gap.high, gap.lowest, gap.room, 0, -1});
   }
-  spread(cellsFor(nicheReach(of_niches), grid.size(), wall_steps_));
+  spread(cellsFor(niches, grid.size(), wall_steps_));
 }
 
 std::size_t

@@ -147,21 +147,18 @@ roomEvidence(const PointView& points,
   }
   const std::vector<PointOwner>& owners =
       evidence.owners.empty() ? found : evidence.owners;
-  const auto owned = [&](bool beyond) {
-    return [&, beyond](int i) -> RoomEvidence* {
-      const PointOwner& owner = owners[static_cast<std::size_t>(i)];
-      return owner.beyond == beyond ? roomOf(owner.room) : nullptr;
-    };
+  const auto owned = [&](int i) -> RoomEvidence* {
+    const PointOwner& owner = owners[static_cast<std::size_t>(i)];
+    return owner.beyond ? nullptr : roomOf(owner.room);
   };
   share(evidence.floor, &RoomEvidence::floor,
-        [&](int i) { return labelled(i) ? nullptr : owned(false)(i); });
-  share(evidence.all, &RoomEvidence::around, owned(false));
-  share(evidence.all, &RoomEvidence::behind, owned(true));
+        [&](int i) { return labelled(i) ? nullptr : owned(i); });
+  share(evidence.all, &RoomEvidence::around, owned);
   if (evidence.walls.empty())
     for (RoomEvidence& room : rooms)
       room.walls = room.around;
   else
-    share(evidence.walls, &RoomEvidence::walls, owned(false));
+    share(evidence.walls, &RoomEvidence::walls, owned);
   return rooms;
 }
 

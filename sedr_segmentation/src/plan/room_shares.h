@@ -32,7 +32,6 @@ struct RoomEvidence {
   std::vector<int> details; ///< of soffits, beams, recesses; may be empty
   std::vector<int> floor;
   std::vector<int> walls;
-  std::vector<int> behind; ///< points beyond `around`, for the backs of deep niches
   std::vector<int> sheets; ///< of the ceiling as it is seen from below
   HiddenCells hidden;
 };

@@ -292,10 +292,10 @@ labelRisers(const PlanRoom& room,
 
 /** @brief Labels the points in the niches of a room, also those beyond its walls. */
 void
-labelNiches(const PlanRoom& room,
-            const std::vector<PointOwner>& owners,
-            double reach,
-            StructureModel& model)
+labelNichesOf(const PlanRoom& room,
+              const std::vector<PointOwner>& owners,
+              double reach,
+              StructureModel& model)
 {
   if (room.niches.empty())
     return;
@@ -314,16 +314,18 @@ labelNiches(const PlanRoom& room,
 } // namespace
 
 void
-labelByPlan(const std::vector<ChainRoom>& rooms,
-            const std::vector<PointOwner>& owners,
-            double reach,
-            StructureModel& model)
+labelByPlan(const std::vector<ChainRoom>& rooms, double reach, StructureModel& model)
 {
   giveUpRoomsWithoutPlan(rooms.size(), model);
   for (const PlanRoom& room : model.plan->rooms)
     labelRisers(room, rooms[room.id - 1].owned, reach, model);
+}
+
+void
+labelNiches(const std::vector<PointOwner>& owners, double reach, StructureModel& model)
+{
   for (const PlanRoom& room : model.plan->rooms)
-    labelNiches(room, owners, reach, model);
+    labelNichesOf(room, owners, reach, model);
 }
 
 } // namespace pcl::sedr

@@ -2,7 +2,6 @@
 #include "chain_stages.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
-#include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 #include "seen_surfaces.h"
@@ -12,7 +11,6 @@
 
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -155,19 +153,12 @@ ChainRun::fitPlan(StageReport& report)
   fitting.setOwners(owners);
   if (!fitting.segment(*model.plan))
     return fitting.getErrorMessage();
-  if (const SightLines* const sight = model.mirrored.lines.get()) { // proves openings
-    constexpr double tolerance = 0.05; // metres; points within lie on a wall
-    pcl::Indices all(model.cloud->size());
-    std::iota(all.begin(), all.end(), 0);
-    measureEvidence(*model.plan, PointView(*model.cloud), all, tolerance,
-                    stages.room_segmentation.getNumberOfThreads(), sight);
-  }
   append(fitting.getWarnings(), model.warnings);
   giveStoreys(stages.room_segmentation.getBuilding(), *model.plan);
   for (const PlanRoom& room : model.plan->rooms)
     for (const PlanElement& element : room.boundary.elements)
       report.points_out += element.inliers;
-  labelByPlan(rooms, owners, stages.refinement.getMaximumDistance(), model);
+  labelByPlan(rooms, stages.refinement.getMaximumDistance(), model);
   return {};
 }
 
@@ -184,9 +175,11 @@ ChainRun::findOpenings(StageReport& report)
           has_raw ? stages.floorplan_fitting.getRawIndices() : nullptr, *model.plan))
     return stages.opening_detection.getErrorMessage();
   numberOpenings(*model.plan);
+  labelNiches(owners, stages.refinement.getMaximumDistance(), model);
   const Building& building = stages.room_segmentation.getBuilding();
   append(linksWithoutOpening(building, *model.plan), model.warnings);
   append(unexplainedSurfaces(thinned, building, *model.plan,
+                             *stages.opening_detection.getSearch(),
                              stages.floorplan_fitting.getPriors()),
          model.warnings);
   report.points_out = model.plan->openings.size();

@@ -59,13 +59,15 @@ std::string growWalls(const std::vector<ChainRoom>& rooms,
                       StructureModel& model);
 
 /** @brief Labels by the fitted plan what no stage did: points on the risers of ceilings
- * and floors, on walls that tilt (they grow from the ceiling straight down), and in
- * niches. Rooms without a plan lose their labels.
+ * and floors, on walls that tilt (they grow from the ceiling straight down). Rooms
+ * without a plan lose their labels.
  * @param reach farthest that a point is from its surface, metres */
-void labelByPlan(const std::vector<ChainRoom>& rooms,
-                 const std::vector<PointOwner>& owners,
-                 double reach,
-                 StructureModel& model);
+void
+labelByPlan(const std::vector<ChainRoom>& rooms, double reach, StructureModel& model);
+
+/** @brief Labels the points in niches, also those beyond the walls. */
+void
+labelNiches(const std::vector<PointOwner>& owners, double reach, StructureModel& model);
 
 /** @brief Returns the points with a label. */
 pcl::IndicesPtr labelled(const StructureModel& model, StructureLabel label);

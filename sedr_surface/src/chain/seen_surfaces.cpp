@@ -14,69 +14,52 @@ namespace pcl::sedr {
 
 namespace {
 
-// Told shares of all surfaces of a room: what is close before walls may be furniture.
-constexpr double told_behind = 0.01;
-constexpr double told_before = 0.02;
-
-double
-heightOf(const PlanRoom& room)
-{
-  const Eigen::Vector2d at = room.boundary.elements.front().start;
-  return room.ceiling.heightAt(at) - room.floor.heightAt(at);
-}
-
-/** @brief Returns the area of all surfaces of a room, square metres. */
-double
-surfacesOf(const PlanRoom& room)
-{
-  return 2 * room.area() + room.perimeter() * heightOf(room);
-}
-
-/** @brief Returns the number of a wall in its room, from 1; 0 for a column. */
-std::size_t
-numberOf(const VerticalSurface& wall)
-{
-  const std::vector<PlanElement>& walls = wall.room->boundary.elements;
-  const auto k = wall.element - walls.data();
-  return k >= 0 && k < static_cast<std::ptrdiff_t>(walls.size())
-             ? static_cast<std::size_t>(k) + 1
-             : 0;
-}
+constexpr double told_share = 0.01; ///< of all surfaces of a room
 
 } // namespace
 
-SeenSurfaces::SeenSurfaces(const Floorplan& plan,
-                           const CellGrid& grid,
-                           const Priors& priors)
-    : priors_(priors)
-    , grid_(grid)
+SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
+    : grid_(grid)
     , on_slab_(2 * plan.rooms.size())
     , beyond_(2 * plan.rooms.size())
     , rooms_near_(0.5)
-    , walls_near_(0.5)
+    , verticals_near_(0.5)
     , standing_(plan.rooms.size())
 {
   for (const PlanRoom& room : plan.rooms) {
     rooms_near_.addIn(boundsOf(outermostBoundary(room)),
                       static_cast<std::uint32_t>(rooms_.size()));
-    const double reach = WallTiles::reach + tiltReach(room);
     for (const VerticalSurface& surface : verticalSurfaces(room)) {
-      walls_near_.addAlong(*surface.element, reach,
-                           static_cast<std::uint32_t>(walls_.size()));
-      walls_.emplace_back(surface);
-      room_of_.push_back(rooms_.size());
+      const PlanElement& line = *surface.element;
+      verticals_near_.addAlong(line, relief + tiltReach(room),
+                               static_cast<std::uint32_t>(verticals_.size()));
+      verticals_.push_back({surface, std::max(off_wall, sigmas * line.residual), {}});
+      for (double s = wall_tile / 2; s < line.length(); s += wall_tile)
+        verticals_.back().spans.push_back(surface.spanAt(s));
     }
     rooms_.emplace_back(room);
   }
   rooms_near_.finish();
-  walls_near_.finish();
-  for (const PlanOpening& opening : plan.openings) {
-    for (const OpeningWall& of : opening.walls)
-      for (WallTiles& wall : walls_)
-        if (wall.surface().room->id == of.room &&
-            numberOf(wall.surface()) == of.element + 1)
-          wall.leaveOut(opening, priors);
+  verticals_near_.finish();
+}
+
+std::pair<double, double>
+SeenSurfaces::nearness(const Eigen::Vector3d& p) const
+{
+  std::pair<double, double> nearest{infinite, infinite};
+  for (const std::uint32_t v : verticals_near_.at(p.head<2>())) {
+    const auto& [surface, tolerance, spans] = verticals_[v];
+    const double s = surface.project(p);
+    const auto tile = static_cast<std::size_t>(s / wall_tile);
+    if (s <= 0 || tile >= spans.size() || p.z() < spans[tile].low + off_wall ||
+        p.z() > spans[tile].high + off_wall)
+      continue;
+    const double off =
+        std::abs((p - surface.pointAt(s, p.z())).dot(surface.normalAt(s)));
+    nearest.first = std::min(nearest.first, off / tolerance);
+    nearest.second = std::min(nearest.second, off);
   }
+  return nearest;
 }
 
 int
@@ -96,32 +79,21 @@ SeenSurfaces::ownerOf(const Eigen::Vector3d& p) const
 void
 SeenSurfaces::add(const Eigen::Vector3d& p)
 {
-  beside_.clear();
-  bool is_on = false;
-  double nearest = infinite; // of the walls
-  for (const std::uint32_t w : walls_near_.at(p.head<2>()))
-    if (const double offset = walls_[w].offsetOf(p);
-        std::abs(offset) < WallTiles::reach) {
-      beside_.emplace_back(w, offset);
-      is_on |= walls_[w].isOn(offset);
-      nearest = std::min(nearest, std::abs(offset));
-    }
-  const int owner = is_on ? -1 : ownerOf(p);
-  for (const auto& [w, offset] : beside_)
-    if (is_on ? walls_[w].isOn(offset) && (offset > 0 || -offset <= nearest)
-              : offset > 0 || owner < 0)
-      walls_[w].add(p, offset);
-  if (owner < 0 && !is_on)
-    addBeyond(p);
-  if (owner < 0)
+  const auto [tolerances, distance] = nearness(p);
+  if (tolerances <= 1)
     return;
+  const int owner = ownerOf(p);
+  if (owner < 0) {
+    addBeyond(p);
+    return;
+  }
   const auto r = static_cast<std::size_t>(owner);
   const std::array<double, 2> heights{rooms_[r].floorAt(p.head<2>()),
                                       rooms_[r].ceilingAt(p.head<2>())};
   for (const std::size_t k : {0, 1})
     if (std::abs(p.z() - heights[k]) < off_slab)
       on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
-  if (nearest >= WallTiles::relief)
+  if (distance >= relief)
     addStanding(p, r);
 }
 
@@ -135,7 +107,7 @@ SeenSurfaces::addBeyond(const Eigen::Vector3d& p)
     const double below = rooms_[r].floorAt(place) - p.z();
     const double above = p.z() - rooms_[r].ceilingAt(place);
     const double off = std::max(below, above);
-    if (off > off_slab && off < WallTiles::reach)
+    if (off > off_slab && off < reach)
       beyond_[2 * r + (below > above ? 0 : 1)].try_emplace(
           keyOf(grid_.at(p.x(), p.y())), static_cast<float>(p.z()));
   }
@@ -205,7 +177,7 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   const Patches found(steps, wall_tile, min_strip * wall_tile);
   const double area = found.mean * found.area; // of the steps
   const PlanRoom& plan = rooms_[room].room();
-  if (area > min_patch && area >= told_behind * surfacesOf(plan))
+  if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
 }
 
@@ -276,47 +248,6 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
 void
 SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
 {
-  std::vector<double> before(rooms_.size(), 0); // square metres
-  std::vector<double> behind(rooms_.size(), 0);
-  std::vector<std::pair<std::size_t, Patches>> patches;
-  for (std::size_t w = 0; w < walls_.size(); ++w)
-    for (const bool is_behind : {true, false}) {
-      Patches found = walls_[w].patches(is_behind);
-      double area = found.area;
-      if (is_behind) {
-        const Patches under = walls_[w].passedUnder();
-        area = std::max(area, under.area / wall_tile * walls_[w].height());
-        if (found.count == 0)
-          found = under;
-      }
-      if (found.count == 0 || walls_[w].surface().label == StructureLabel::Detail)
-        continue;
-      (is_behind ? behind : before)[room_of_[w]] += area;
-      patches.emplace_back(w, std::move(found));
-    }
-  const auto tellOf = [&](std::uint32_t room, std::size_t wall,
-                          const Eigen::Vector2d& at, double area, double off) {
-    warnings.push_back({WarningKind::WallOff, {area, off}, room, wall, {}, at});
-  };
-  for (const auto& [w, found] : patches) {
-    const VerticalSurface& wall = walls_[w].surface();
-    const double surfaces = surfacesOf(*wall.room);
-    if (found.mean < 0 ? behind[room_of_[w]] >= told_behind * surfaces
-                       : before[room_of_[w]] >= told_before * surfaces)
-      tellOf(wall.room->id, numberOf(wall), wall.element->pointAt(found.middle.x()),
-             found.area, found.mean);
-  }
-  for (const RoomLookup& lookup : rooms_)
-    for (const PlanNiche& niche : lookup.room().niches) {
-      const PlanElement& mouth = niche.boundary.elements.back();
-      const Eigen::Vector2d at = (mouth.start + mouth.end) / 2;
-      const PlanLoop& walls = lookup.room().boundary;
-      const std::size_t w = walls.nearest(at);
-      if (isAsLongAs(walls.elements[w], mouth.length(), priors_))
-        tellOf(lookup.room().id, w + 1, at,
-               mouth.length() * (niche.top.heightAt(at) - niche.bottom.heightAt(at)),
-               -100 * niche.boundary.elements.front().length());
-    }
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellStanding(r, warnings);
     tellHalfWalls(r, warnings);

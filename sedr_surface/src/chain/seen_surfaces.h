@@ -5,6 +5,7 @@
 #include "sedr_filters/src/grids/place_table.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include "sedr_filters/src/plan/room_lookup.h"
+#include "sedr_segmentation/src/openings/opening_search.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_warning.h>
@@ -26,9 +27,10 @@ namespace pcl::sedr {
 
 constexpr double min_patch = 0.25; ///< of what is told, square metres
 constexpr double off_wall = 0.05;  ///< metres from the model
-constexpr double off_edge = 0.02;  ///< of a ceiling beyond a wall, metres
 constexpr double off_slab = 0.1;   ///< metres; columns of air end on voxels
 constexpr double wall_tile = 0.1;  ///< metres
+constexpr double relief = 0.15;    ///< metres; furniture is deeper
+constexpr double reach = 0.9;      ///< beyond floors and ceilings, metres
 constexpr double min_strip = 0.5;  ///< of what is told, metres of tiles
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double sigmas = 3; ///< of noise, off a surface
@@ -56,69 +58,24 @@ struct Patches {
 /** @brief Returns a warning about a floor or ceiling that was seen off its model. */
 PlanWarning slabWarning(bool is_floor, const Patches& found, const PlanRoom& room);
 
+/** @brief Returns the area of all surfaces of a room, square metres. */
+double surfacesOf(const PlanRoom& room);
+
 /** @brief Checks whether something takes up a wall from end to end and is no door. */
 bool isAsLongAs(const PlanElement& wall, double width, const Priors& priors);
-
-/** @brief What was seen in each tile of a wall, the side of a column or a riser. */
-class WallTiles {
-public:
-  explicit WallTiles(const VerticalSurface& surface);
-
-  const VerticalSurface& surface() const { return surface_; }
-
-  /** @brief Nothing is looked for where an opening is, or its reveals. One as long as
-   * its wall may be what is seen of the wall behind cupboards. */
-  void leaveOut(const PlanOpening& opening, const Priors& priors);
-
-  /** @brief Returns how far a point is before the wall; infinite if it is not beside
-   * it. */
-  double offsetOf(const Eigen::Vector3d& p) const;
-
-  bool isOn(double offset) const { return std::abs(offset) <= tolerance_; }
-
-  void add(const Eigen::Vector3d& p, double offset);
-
-  /** @brief Returns the patches of tiles with nothing on the wall: with something close
-   * before them, or only with something behind, as a ceiling that goes on there. */
-  Patches patches(bool is_behind) const;
-
-  /** @brief Returns the columns of tiles behind which the ceiling goes on, half a metre
-   * of them or more: no wall can be there. */
-  Patches passedUnder() const;
-
-  double height() const { return wall_tile * static_cast<double>(rows_); }
-
-  static constexpr double reach = 0.9;   ///< before and behind a wall, metres
-  static constexpr double relief = 0.15; ///< metres; furniture is deeper
-
-private:
-  struct Tile {
-    bool is_on = false;
-    double before = infinite;
-    double behind = -infinite;
-  };
-
-  double middleOf(std::size_t row) const;
-
-  VerticalSurface surface_;
-  double edge_; ///< a ceiling that goes on farther behind the wall passes it
-  double tolerance_;
-  std::vector<VerticalSpan> spans_; ///< of each column of tiles
-  double low_ = 0;
-  std::size_t rows_ = 0;
-  std::vector<Tile> tiles_; ///< row by row; then the ceiling behind, from the wall on
-};
 
 /** @brief What was seen of the surfaces of a plan and about them. */
 class SeenSurfaces {
 public:
   /** @param grid of the cells of floors and ceilings */
-  SeenSurfaces(const Floorplan& plan, const CellGrid& grid, const Priors& priors);
+  SeenSurfaces(const Floorplan& plan, const CellGrid& grid);
 
-  /** @brief Counts a point for the walls that it lies on, else for those that it lies
-   * before, or behind unless a room has it; for the floor or ceiling that it lies on,
-   * and for what stands up to a ceiling. */
+  /** @brief Counts a point for the floor or ceiling that it lies on, and for what
+   * stands on the floor away from walls. */
   void add(const Eigen::Vector3d& p);
+
+  /** @brief Returns the room in which a point lies, or a niche of which; -1: none. */
+  int ownerOf(const Eigen::Vector3d& p) const;
 
   /** @brief Checks whether a cell shows points on the floor or ceiling of the r-th room
    * of the plan. */
@@ -127,13 +84,20 @@ public:
     return on_slab_[2 * r + (is_floor ? 0 : 1)].count(cell) > 0;
   }
 
-  /** @brief Appends a warning for each wall and each room of which much was not
-   * explained, and one if what stands in rooms hangs from their ceilings. */
+  /** @brief Appends warnings of what stands in rooms and of surfaces seen twice. */
   void tell(std::vector<PlanWarning>& warnings) const;
 
 private:
-  /** @brief Returns the room in which a point lies, or a niche of which; -1: none. */
-  int ownerOf(const Eigen::Vector3d& p) const;
+  /** @brief A vertical surface of a room. */
+  struct Vertical {
+    VerticalSurface surface;
+    double tolerance;                ///< of the points on it, metres
+    std::vector<VerticalSpan> spans; ///< of each tile along it
+  };
+
+  /** @brief Returns how near a point is to a vertical surface, in tolerances of it and
+   * in metres; infinite where that is no nearer than furniture is deep. */
+  std::pair<double, double> nearness(const Eigen::Vector3d& p) const;
 
   void addStanding(const Eigen::Vector3d& p, std::size_t room);
 
@@ -149,16 +113,13 @@ private:
    * long, thin, and with floor on both sides. */
   void tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
-  Priors priors_;
   CellGrid grid_;
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
   std::vector<std::map<CellKey, float>> beyond_;     ///< heights seen beyond them
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;
-  std::vector<WallTiles> walls_;
-  std::vector<std::size_t> room_of_; ///< of each wall
-  PlaceTable walls_near_;
-  std::vector<std::pair<std::uint32_t, double>> beside_;
+  std::vector<Vertical> verticals_;
+  PlaceTable verticals_near_;
   /** @brief What is seen between floor and ceiling in one cell of a room. */
   struct Standing {
     double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
@@ -169,6 +130,17 @@ private:
   };
   std::vector<std::map<CellKey, Standing>> standing_; ///< of each room
 };
+
+/** @brief Appends a warning for each wall off which much was seen, as the maps of its
+ * room show: with nothing on it and something close before it, or behind it and in no
+ * room; or where a ceiling goes on behind it. Where an opening is, or its reveals,
+ * nothing counts, but one as long as its wall may be what is seen of the wall behind
+ * cupboards. Niches as long as their wall are told of as well. */
+void tellOffWalls(const Floorplan& plan,
+                  const OpeningSearch& maps,
+                  const SeenSurfaces& rooms,
+                  const Priors& priors,
+                  std::vector<PlanWarning>& warnings);
 
 /** @brief Returns what was seen and the plan does not explain, in connected places of
  * 0.25 m2 and more.
@@ -186,12 +158,13 @@ private:
  * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
  * as walls do, and are none: one warning a room.
  *
- * O(points + columns of the building).
+ * O(points + columns of the building + cells of the maps).
  * @param points thinned
  * @param building its rooms have the ids of those of the plan */
 std::vector<PlanWarning> unexplainedSurfaces(const PointView& points,
                                              const Building& building,
                                              const Floorplan& plan,
+                                             const OpeningSearch& maps,
                                              const Priors& priors = {});
 
 } // namespace pcl::sedr

@@ -145,9 +145,10 @@ std::vector<PlanWarning>
 unexplainedSurfaces(const PointView& points,
                     const Building& building,
                     const Floorplan& plan,
+                    const OpeningSearch& maps,
                     const Priors& priors)
 {
-  SeenSurfaces surfaces(plan, building.grid, priors);
+  SeenSurfaces surfaces(plan, building.grid);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points.isFinite(i))
       surfaces.add(points[i].cast<double>());
@@ -165,6 +166,7 @@ unexplainedSurfaces(const PointView& points,
           [&](CellKey cell) { return surfaces.isOnSlab(r, cell, is_floor); }, *seen,
           building.grid, priors, warnings);
   }
+  tellOffWalls(plan, maps, surfaces, priors, warnings);
   surfaces.tell(warnings);
   addLeftOut(building, plan, warnings);
   return warnings;

@@ -58,16 +58,10 @@ public:
   /** Scans the wall between the rooms with holes in both faces, and their reveals. */
   void scanMiddleWall(const std::vector<Cut>& cuts, const std::vector<Cut>& hidden = {})
   {
-    for (const double y : {face, back})
-      sheet(0, 5, 0, 2.5, [&](double s, double z, double off) {
-        bool is_seen = true;
-        for (const Cut& cut : cuts)
-          is_seen = is_seen && !cut.contains(s, z);
-        for (const Cut& cut : hidden)
-          is_seen = is_seen && !(y == face && cut.contains(s, z));
-        if (is_seen)
-          add(s, y + off, z);
-      });
+    std::vector<Cut> holes = cuts;
+    holes.insert(holes.end(), hidden.begin(), hidden.end());
+    scanFace({0, 5, 0, 2.5}, face, holes);
+    scanFace({0, 5, 0, 2.5}, back, cuts);
     for (const Cut& cut : cuts)
       reveals(cut, face, back);
   }
@@ -75,12 +69,9 @@ public:
   /** Scans the outer wall of the first room, at y = 0, with holes and their reveals. */
   void scanOuterWall(const std::vector<Cut>& cuts, const std::vector<Cut>& hidden = {})
   {
-    sheet(0, 5, 0, 2.5, [&](double s, double z, double off) {
-      const auto isIn = [&](const Cut& cut) { return cut.contains(s, z); };
-      if (std::none_of(cuts.begin(), cuts.end(), isIn) &&
-          std::none_of(hidden.begin(), hidden.end(), isIn))
-        add(s, off, z);
-    });
+    std::vector<Cut> holes = cuts;
+    holes.insert(holes.end(), hidden.begin(), hidden.end());
+    scanFace({0, 5, 0, 2.5}, 0, holes);
     for (const Cut& cut : cuts)
       reveals(cut, -0.2, 0);
   }
@@ -106,6 +97,29 @@ public:
     plan.rooms[0].boundary.elements[0].tilt = radians;
     for (pcl::PointXYZ& p : *cloud)
       p.y += p.z * static_cast<float>(std::tan(radians));
+  }
+
+  /** Scans a face of a wall parallel to x with holes in it. */
+  void scanFace(const Cut& face, double y, const std::vector<Cut>& cuts)
+  {
+    sheet(face.from, face.to, face.bottom, face.top,
+          [&](double s, double z, double off) {
+            const auto isIn = [&](const Cut& cut) { return cut.contains(s, z); };
+            if (std::none_of(cuts.begin(), cuts.end(), isIn))
+              add(s, y + off, z);
+          });
+  }
+
+  void reveals(const Cut& cut, double y0, double y1)
+  {
+    sheet(y0, y1, cut.bottom, cut.top - cut.rise, [&](double y, double z, double off) {
+      add(cut.from + off, y, z);
+      add(cut.to + off, y, z);
+    });
+    sheet(cut.from, cut.to, y0, y1, [&](double s, double y, double off) {
+      add(s, y, cut.headAt(s) + off);
+      add(s, y, cut.bottom + off);
+    });
   }
 
   /** Scans a sheet parallel to the walls, one in `every` of its points. */
@@ -148,18 +162,6 @@ private:
     for (double s = s0 + step / 2; s < s1; s += step)
       for (double z = z0 + step / 2; z < z1; z += step)
         see(s, z, noise_(random_));
-  }
-
-  void reveals(const Cut& cut, double y0, double y1)
-  {
-    sheet(y0, y1, cut.bottom, cut.top - cut.rise, [&](double y, double z, double off) {
-      add(cut.from + off, y, z);
-      add(cut.to + off, y, z);
-    });
-    sheet(cut.from, cut.to, y0, y1, [&](double s, double y, double off) {
-      add(s, y, cut.headAt(s) + off);
-      add(s, y, cut.bottom + off);
-    });
   }
 
   void add(double x, double y, double z)

@@ -81,6 +81,44 @@ TEST_P(OpeningsInNoise, WindowToTheOutside)
   EXPECT_NEAR(found.top, window.top, 0.01);
 }
 
+TEST(OpeningDetection, IsLookedAtWithTheRoomBehindItsPlace)
+{
+  // Behind a hall: one room above another, or one beside another, whose faces are
+  // farther from the hall's.
+  using sedr_test::rectangle;
+  using sedr_test::roomOf;
+  const Cut first{1.5, 2.4, 0, 2.05};
+  for (const bool is_above : {true, false})
+    for (const double other_back : {TwoRooms::back, 4.24}) {
+      TwoRooms scene(0.005);
+      const Cut hall = is_above ? Cut{0, 5, 0, 5.4} : Cut{0, 10, 0, 2.5};
+      const Cut second = is_above ? Cut{2, 3.4, 3.8, 4.9} : Cut{6.5, 7.4, 0, 2.05};
+      const Cut other = is_above ? Cut{0, 5, 2.8, 5.4} : Cut{5.7, 10, 0, 2.5};
+      scene.plan.rooms[0] =
+          roomOf(rectangle(0, 0, hall.to, TwoRooms::face), hall.top, 1);
+      scene.plan.rooms.push_back(
+          roomOf(rectangle(other.from, other_back, other.to, 8.12), other.top, 3));
+      scene.plan.rooms[2].floor = sedr_test::slabAt(other.bottom);
+      scene.scanFace(hall, TwoRooms::face, {first, second});
+      scene.scanFace({0, 5, 0, 2.5}, TwoRooms::back, {first});
+      scene.scanFace(other, other_back, {second});
+      scene.reveals(first, TwoRooms::face, TwoRooms::back);
+      scene.reveals(second, TwoRooms::face, other_back);
+      const auto found = openingsOf(scene);
+      ASSERT_EQ(found.size(), 2u) << is_above << ' ' << other_back;
+      for (const PlanOpening& opening : found) {
+        const bool is_first =
+            std::min(opening.start.x(), opening.end.x()) < 1.8 && opening.bottom < 1;
+        EXPECT_EQ(std::max(opening.rooms[0], opening.rooms[1]), is_first ? 2u : 3u);
+        EXPECT_EQ(std::min(opening.rooms[0], opening.rooms[1]), 1u);
+        const double back = is_first ? TwoRooms::back : other_back;
+        EXPECT_NEAR(opening.depth, back - TwoRooms::face, 0.01);
+        expectEdges(opening, is_first ? first : second, (TwoRooms::face + back) / 2,
+                    0.02);
+      }
+    }
+}
+
 TEST(OpeningDetection, SmallWindowOfWhichNothingWasSeen)
 {
   const Cut small{2, 2.5, 1.5, 2};

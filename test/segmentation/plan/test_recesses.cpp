@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Recesses in walls: parts of the plan, niches, or openings.
+#include "found_niches.h"
 #include "room_evidence.h"
 
 namespace {
@@ -66,7 +67,9 @@ fittedAbove(double sill,
   if (sill > 0)
     parts.walls =
         joined(parts.walls, points.wall(segment({end, 4}, {1.5, 4}), hidden, sill));
-  return fitted(points, parts);
+  PlanRoom room = fitted(points, parts);
+  room.niches = nichesOf(points, room);
+  return room;
 }
 
 const RoomPoints::OnWall all_of_it = [](double, double) { return true; };

@@ -2,8 +2,7 @@
 #include "room_evidence.h"
 #include "two_storeys.h"
 
-#include "sedr_filters/src/walls/plan_evidence.h"
-#include "sedr_segmentation/src/niches/niche_fit.h"
+#include "sedr_segmentation/src/openings/wall_niches.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +36,6 @@ TEST(RoomsAboveRooms, TakeNothingFromEachOther)
       EXPECT_EQ(plan.rooms[r].boundary.elements.size(), 4u) << shift;
       EXPECT_LT(cornerError(plan.rooms[r].boundary, truth.rooms[r].boundary), 0.005)
           << shift;
-      for (const PlanElement& e : plan.rooms[r].boundary.elements)
-        EXPECT_GT(e.evidence.seen, 0.9) << shift << ' ' << plan.rooms[r].id;
     }
   }
 }
@@ -47,25 +44,13 @@ TEST(RoomsAboveRooms, KeepTheirNiches)
 {
   Floorplan plan = twoStoreys(0.5);
   // A niche in the wall to the next room, below an existing room.
-  plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
+  const PlanNiche niche{{polygon({{1, 3}, {1, 3.2}, {2, 3.2}, {2, 3}})},
+                        slabAt(1),
+                        slabAt(2)};
   plan.rooms[2].boundary = rectangle(0, 0, 4.5, 3.5);
-  dropSharedNiches(plan);
-  EXPECT_EQ(plan.rooms[0].niches.size(), 1u);
+  EXPECT_FALSE(isShared(plan, plan.rooms[0], niche));
   plan.rooms[2].floor = slabAt(0);
-  dropSharedNiches(plan);
-  EXPECT_TRUE(plan.rooms[0].niches.empty()) << "the other room is beside it";
-}
-
-TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)
-{
-  const Floorplan truth = twoStoreys();
-  Floorplan plan = truth;
-  RoomPoints points;
-  points.room(truth.rooms[2]);
-  points.room(truth.rooms[3]);
-  measureEvidence(plan, points.view(), points.all(), 0.05, 1);
-  for (const PlanElement& e : plan.rooms.front().boundary.elements)
-    EXPECT_EQ(e.evidence.seen, 0);
+  EXPECT_TRUE(isShared(plan, plan.rooms[0], niche)) << "the other room is beside it";
 }
 
 /** A roof over the hall, rising by `rise` in each metre along x. */

@@ -17,12 +17,23 @@ using namespace sedr_test;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+/** @brief Returns what is not explained of a cloud. */
+std::vector<PlanWarning>
+unexplained(const Cloud& cloud,
+            const Floorplan& plan,
+            const Building& building = buildingOfTwoRooms())
+{
+  const PointView points(cloud);
+  const OpeningSearch maps(plan, points, nullptr, nullptr, OpeningParameters());
+  return unexplainedSurfaces(points, building, plan, maps);
+}
+
 TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
 {
   Building building = buildingOfTwoRooms();
   const Floorplan plan{{planned(1, 0, 4), planned(2, 5, 7)}};
   const Cloud none;
-  EXPECT_TRUE(unexplainedSurfaces(PointView(none), building, plan).empty());
+  EXPECT_TRUE(unexplained(none, plan, building).empty());
   // A pit of 1 m x 1 m, 0.4 m deep; a table of 3 m x 1 m; a lamp of 10 cm.
   for (RoomColumn& column : building.rooms[0].columns) {
     const Eigen::Vector2d at = building.grid.centre(column.cell);
@@ -33,7 +44,7 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
     if ((at - Eigen::Vector2d(1.05, 1.05)).norm() < 0.01)
       column.ceiling = 2;
   }
-  auto found = unexplainedSurfaces(PointView(none), building, plan);
+  auto found = unexplained(none, plan, building);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
   EXPECT_NEAR(found[0].values[0], 1, 1e-9);
@@ -44,7 +55,7 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
   // What is larger than a table is a stage.
   for (RoomColumn& column : building.rooms[0].columns)
     column.floor = building.grid.centre(column.cell).y() > 1.2 ? 0.7F : 0;
-  found = unexplainedSurfaces(PointView(none), building, plan);
+  found = unexplained(none, plan, building);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].values[0], 3.6 * 1.6, 0.5) << "but for the edge";
   // So is what hides more of the floor.
@@ -52,7 +63,7 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
     column.floor_seen = column.floor == 0;
     column.floor = 0;
   }
-  found = unexplainedSurfaces(PointView(none), building, plan);
+  found = unexplained(none, plan, building);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, WarningKind::FloorUnseen);
   EXPECT_NEAR(found[0].values[0], 3.6 * 1.6, 0.5) << "but for the edge";
@@ -70,12 +81,6 @@ addRectangle(const Eigen::Vector3f& corner,
       const Eigen::Vector3f p = corner + a * u.normalized() + b * v.normalized();
       cloud.push_back({p.x(), p.y(), p.z()});
     }
-}
-
-std::vector<PlanWarning>
-unexplained(const Cloud& cloud, const Floorplan& plan)
-{
-  return unexplainedSurfaces(PointView(cloud), buildingOfTwoRooms(), plan);
 }
 
 /** @brief Returns the walls of planned(1, 0, 4), 3 m deep: what of that at x = 0 has y
@@ -105,12 +110,12 @@ TEST(UnexplainedSurfaces, AreSeenBehindAWall)
     EXPECT_EQ(found[0].kind, WarningKind::WallOff);
     EXPECT_EQ(found[0].room, 1u);
     EXPECT_EQ(found[0].wall, 4u);
-    EXPECT_NEAR(found[0].values[0], 1.5, 1e-6);
+    EXPECT_NEAR(found[0].values[0], 1.5, 0.11) << "to a cell";
     EXPECT_NEAR(found[0].values[1], 100 * back, 1e-3);
     EXPECT_NEAR((found[0].at - Eigen::Vector2d(0, 1.5)).norm(), 0, 1e-6);
   }
   EXPECT_EQ(sentenceOf(unexplained(recessedRoom(-0.07F), plan)[0]),
-            "wall 1.4: 1.5 m2 of what was seen there lie 7 cm behind it");
+            "wall 1.4: 1.4 m2 of what was seen there lie 7 cm behind it");
   plan.openings.resize(1);
   plan.openings[0].walls = {{1, 3}};
   plan.openings[0].start = {0, 1};
@@ -128,7 +133,7 @@ TEST(UnexplainedSurfaces, AreBeforeAWallIfTheyAreMuchAndNoFurniture)
   const Floorplan plan{{planned(1, 0, 4)}};
   const auto found = unexplained(recessedRoom(0.08F), plan);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].values[0], 1.5, 1e-6) << "2.5 % of all surfaces";
+  EXPECT_NEAR(found[0].values[0], 1.5, 0.11) << "2.5 % of all surfaces";
   EXPECT_NEAR(found[0].values[1], 8, 1e-3);
   EXPECT_TRUE(unexplained(recessedRoom(0.3F), plan).empty()) << "a cupboard";
 }
@@ -143,7 +148,7 @@ TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
   const auto found = unexplained(cloud, plan);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].wall, 4u) << "it is a cupboard up to the ceiling";
-  EXPECT_NEAR(found[0].values[0], 3 * 0.25, 0.2);
+  EXPECT_NEAR(found[0].values[0], 3 * 0.1, 0.02) << "a cell behind it";
   EXPECT_LT(found[0].values[1], 0);
 }
 
@@ -257,7 +262,8 @@ TEST(UnexplainedSurfaces, AreWallsThatLeanAwayFromThePlan)
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].kind, WarningKind::WallOff);
     EXPECT_EQ(found[0].wall, 4u);
-    EXPECT_NEAR(found[0].values[0], 3 * 1.5, 0.9) << "more than 5 cm off above 1 m";
+    EXPECT_NEAR(found[0].values[0], lean > 0 ? 3 * 1.4 : 3 * 1.4 - 0.7, 0.4)
+        << "more than 5 cm off above 1 m, and nothing before it";
     EXPECT_NEAR(found[0].values[1], 9 * (lean > 0 ? 1 : -1), 1);
   }
 }
@@ -276,7 +282,7 @@ TEST(UnexplainedSurfaces, AreClosetsBeyondADoor)
                        {LeftOutKind::Open, "a lift", 2.5, 0, 2.5, {5.2, 1.4}},
                        {LeftOutKind::Void, "a slab", 0.8, 0, 2.5, {4.6, 1.4}},
                        {LeftOutKind::Low, "far", 0.8, 0, 2.5, {9, 1.4}}};
-  const auto found = unexplainedSurfaces(PointView(Cloud()), building, plan);
+  const auto found = unexplained(Cloud(), plan, building);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].kind, WarningKind::LeftOut);
   EXPECT_EQ(found[0].reason, "small");

@@ -243,14 +243,16 @@ wallMapsOf(const Reconstruction& chain)
     };
     const std::size_t columns = partsOf(side.line.length());
     const std::size_t rows = partsOf(map.cell() * static_cast<double>(map.rows()));
-    std::vector<std::size_t> walls = side.elements;
-    for (std::size_t& wall : walls)
-      ++wall;
+    if (!side.may_have_openings)
+      continue;
+    Json walls = Json::array();
+    if (side.isWall())
+      walls.push_back(side.element + 1);
     Json openings = Json::array(); // framed on this side or on the other one
     for (const PlanOpening& opening : plan.openings)
       for (const OpeningWall& in : opening.walls)
-        if (in.room == plan.rooms[side.room].id &&
-            std::count(side.elements.begin(), side.elements.end(), in.element) > 0) {
+        if (in.room == plan.rooms[side.room].id && side.isWall() &&
+            in.element == side.element) {
           const auto [from, to] =
               std::minmax({onSide(side, opening.start), onSide(side, opening.end)});
           openings.push_back({{"kind", nameOf(opening.kind)},

@@ -86,7 +86,7 @@ struct SlabCurve {
 SlabCurve moved(SlabCurve curve, double angle, const Eigen::Vector3d& shift);
 
 /** @brief The shares of a plan element's surface that a scan shows; all 0 if not
- * measured or if there is no surface. See measureEvidence(). */
+ * measured or if there is no surface. See pcl::OpeningDetection. */
 struct ElementEvidence {
   double seen = 0;    ///< share with points on it
   double hidden = 0;  ///< share hidden by something in front of it

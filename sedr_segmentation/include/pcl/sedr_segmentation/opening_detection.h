@@ -18,8 +18,8 @@ class SightLines;
 
 } // namespace sedr
 
-/** @brief Finds the doors, windows and passages in the walls of a floor plan. Frame: z
- * up, metres.
+/** @brief Finds the doors, windows, passages and niches in the walls of a floor plan,
+ * and which shares of the walls a scan shows. Frame: z up, metres.
  *
  * For each side of a wall, flat or curved, the scan is sorted into a map of arc length
  * and height: a cell was seen on the face, shows something within the wall, is hidden
@@ -31,7 +31,7 @@ class SightLines;
  * @code
  * pcl::OpeningDetection<pcl::PointXYZ> detection;
  * detection.setInputCloud(scan); // before thinning
- * detection.segment(plan);       // sets plan.openings
+ * detection.segment(plan);       // sets plan.openings, niches, evidence of walls
  * @endcode */
 template <typename PointT>
 class OpeningDetection : public PCLBase<PointT>, public sedr::StageError {
@@ -56,7 +56,7 @@ public:
   std::shared_ptr<const sedr::SightLines> getSightLines() const { return sight_; }
 
   /** @brief Sets the openings of a plan to those found in the input cloud, by
-   * decreasing evidence.
+   * decreasing evidence, the niches of its rooms and PlanElement::evidence of its walls.
    * @return false, with a reason in getErrorMessage(), for bad input; a plan without
    * openings is no failure */
   bool segment(sedr::Floorplan& plan);

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_filters/src/walls/plan_evidence.h"
+#include "two_storeys.h"
+
+#include "sedr_filters/src/rays/sight_lines.h"
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <numeric>
+#include <memory>
+#include <vector>
 
 namespace {
 
@@ -16,7 +21,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 /** A room of 4 x 3 x 2.5 m, scanned every 4 cm. */
-class PlanEvidenceTest : public ::testing::Test {
+class MeasuredWalls : public ::testing::Test {
 protected:
   using Place = Eigen::Vector3d;
 
@@ -38,24 +43,34 @@ protected:
       }
   }
 
-  Floorplan measured(const SightLines* sight = nullptr)
+  Floorplan measured(const std::vector<PlanRoom>& rooms,
+                     const std::shared_ptr<const SightLines>& sight = nullptr,
+                     unsigned threads = 0) const
   {
-    Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
-    std::vector<int> all(cloud_.size());
-    std::iota(all.begin(), all.end(), 0);
-    measureEvidence(plan, PointView(cloud_), all, 0.05, 0, sight);
+    Floorplan plan{rooms};
+    pcl::OpeningDetection<pcl::PointXYZ> detection;
+    detection.setInputCloud(cloud_.makeShared());
+    detection.setSightLines(sight);
+    detection.setNumberOfThreads(threads);
+    EXPECT_TRUE(detection.segment(plan)) << detection.getErrorMessage();
     return plan;
   }
 
-  static const ElementEvidence& wall(const Floorplan& plan, std::size_t i)
+  Floorplan measured(const std::shared_ptr<const SightLines>& sight = nullptr) const
   {
-    return plan.rooms[0].boundary.elements[i].evidence;
+    return measured({roomOf(rectangle(0, 0, 4, 3), 2.5)}, sight);
+  }
+
+  static const ElementEvidence&
+  wall(const Floorplan& plan, std::size_t i, std::size_t room = 0)
+  {
+    return plan.rooms[room].boundary.elements[i].evidence;
   }
 
   pcl::PointCloud<pcl::PointXYZ> cloud_;
 };
 
-TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
+TEST_F(MeasuredWalls, TellsAWallADoorAndACupboardApart)
 {
   const auto isDoor = [](const Place& p) {
     return p.x() > 1 && p.x() < 2 && p.z() < 2;
@@ -84,7 +99,7 @@ TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
   EXPECT_NEAR(wall(plan, 3).seen + wall(plan, 3).hidden, 1, 1e-9);
 }
 
-TEST_F(PlanEvidenceTest, RaysProveAnOpeningBehindWhatStandsBeforeIt)
+TEST_F(MeasuredWalls, RaysProveAnOpeningBehindWhatStandsBeforeIt)
 {
   // The walls y = 0 and y = 3 have a hole each, with a screen 0.5 m in front of it. The
   // scanner is between the first screen and its wall.
@@ -109,15 +124,14 @@ TEST_F(PlanEvidenceTest, RaysProveAnOpeningBehindWhatStandsBeforeIt)
   const Floorplan guessed = measured();
   EXPECT_NEAR(wall(guessed, 0).hidden, 0.3, 0.04); // 2 x 1.5 of 4 x 2.5 m
   EXPECT_NEAR(wall(guessed, 2).hidden, 0.3, 0.04);
-  const SightLines sight(lines);
-  const Floorplan proved = measured(&sight);
+  const Floorplan proved = measured(std::make_shared<const SightLines>(lines));
   EXPECT_NEAR(wall(proved, 0).opening, 0.3, 0.04);
   EXPECT_LT(wall(proved, 0).hidden, 0.01);
-  EXPECT_EQ(wall(proved, 0).seen, wall(guessed, 0).seen);
+  EXPECT_NEAR(wall(proved, 0).seen, wall(guessed, 0).seen, 0.03) << "to a cell";
   EXPECT_EQ(wall(proved, 2).hidden, wall(guessed, 2).hidden) << "rays that end before";
 }
 
-TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)
+TEST_F(MeasuredWalls, RoomsWallToWallAreSeenEachAsAloneForAnyNumberOfThreads)
 {
   const std::vector<PlanRoom> rooms{roomOf(rectangle(0, 0, 4, 3), 2.5),
                                     roomOf(rectangle(4.1, 0, 7, 3), 2.5),
@@ -126,23 +140,38 @@ TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)
     for (int copies = 0; copies < 5; ++copies) // enough points for several threads
       addFace({x, 0, 0}, {0, 3, 0}, {0, 0, 2.5},
               [&](const Place& p) { return x == 4.1 && p.y() > 1 && p.y() < 2; });
-  std::vector<int> all(cloud_.size());
-  std::iota(all.begin(), all.end(), 0);
-  Floorplan together{rooms};
-  measureEvidence(together, PointView(cloud_), all, 0.05, 3);
+  const Floorplan together = measured(rooms, nullptr, 3);
+  const Floorplan by_one = measured(rooms, nullptr, 1);
   for (std::size_t r = 0; r < rooms.size(); ++r) {
-    Floorplan alone{{rooms[r]}};
-    measureEvidence(alone, PointView(cloud_), all);
+    const Floorplan alone = measured({rooms[r]}, nullptr, 1);
     for (std::size_t e = 0; e < 4; ++e) {
       const ElementEvidence& one = wall(alone, e);
-      const ElementEvidence& other = together.rooms[r].boundary.elements[e].evidence;
-      EXPECT_EQ(one.seen, other.seen) << r << ' ' << e;
-      EXPECT_EQ(one.hidden, other.hidden) << r << ' ' << e;
-      EXPECT_EQ(one.opening, other.opening) << r << ' ' << e;
+      const ElementEvidence& other = wall(together, e, r);
+      // What is an opening follows from both faces.
+      EXPECT_NEAR(one.seen, other.seen, r == 1 && e == 3 ? 0.1 : 0) << r << ' ' << e;
+      const ElementEvidence& again = wall(by_one, e, r);
+      EXPECT_EQ(again.hidden, other.hidden) << r << ' ' << e;
+      EXPECT_EQ(again.opening, other.opening) << r << ' ' << e;
     }
   }
   EXPECT_GT(together.rooms[0].boundary.elements[1].evidence.seen, 0.9);
   EXPECT_LT(together.rooms[1].boundary.elements[3].evidence.seen, 0.8);
+}
+
+TEST_F(MeasuredWalls, AreNotSeenWhereOnlyTheStoreyAboveIs)
+{
+  const Floorplan truth = twoStoreys();
+  for (const std::size_t r : {2, 3})
+    for (const PlanElement& e : truth.rooms[r].boundary.elements) {
+      const double floor = truth.rooms[r].floorAt(e.start);
+      addFace({e.start.x(), e.start.y(), floor},
+              {e.end.x() - e.start.x(), e.end.y() - e.start.y(), 0}, {0, 0, 2.5});
+    }
+  const Floorplan plan = measured(truth.rooms);
+  for (const PlanElement& e : plan.rooms.front().boundary.elements)
+    EXPECT_EQ(e.evidence.seen, 0);
+  for (const PlanElement& e : plan.rooms.back().boundary.elements)
+    EXPECT_GT(e.evidence.seen, 0.9);
 }
 
 } // namespace

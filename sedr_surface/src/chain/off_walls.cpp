@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "seen_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl::sedr {
+
+bool
+isAsLongAs(const PlanElement& wall, double width, const Priors& priors)
+{
+  constexpr double whole = 0.9;
+  return width > priors.max_door_width && width >= whole * wall.length();
+}
+
+CellSet
+cellsOf(const std::vector<CellValue>& values)
+{
+  std::vector<CellKey> keys;
+  for (const auto& [key, value] : values)
+    keys.push_back(key);
+  return CellSet::fromSorted(std::move(keys));
+}
+
+Patches::Patches(const std::vector<CellValue>& values, double size, double least)
+{
+  const CellGrid grid(size);
+  const CellSet cells = cellsOf(values);
+  const CellRegions regions = labelRegions(cells);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto n = static_cast<double>(regions.sizes[regions.label[k]]);
+    if (n * size * size < least)
+      continue;
+    ++count;
+    low = std::min(low, values[k].second);
+    high = std::max(high, values[k].second);
+    mean += values[k].second;
+    if (regions.label[k] == 0)
+      middle += grid.centre(cells[k]) / n;
+  }
+  mean /= std::max<double>(1, static_cast<double>(count));
+  area = static_cast<double>(count) * size * size;
+}
+
+PlanWarning
+slabWarning(bool is_floor, const Patches& found, const PlanRoom& room)
+{
+  return {is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
+          {found.area, found.low, found.high},
+          room.id,
+          0,
+          {},
+          found.middle};
+}
+
+double
+surfacesOf(const PlanRoom& room)
+{
+  const Eigen::Vector2d at = room.boundary.elements.front().start;
+  const double height = room.ceiling.heightAt(at) - room.floor.heightAt(at);
+  return 2 * room.area() + room.perimeter() * height;
+}
+
+namespace {
+
+/** @brief Patches of a wall in which something was seen off it. */
+struct OffWall {
+  const WallSide* side;
+  Patches found;
+  double area; ///< square metres; where a ceiling passes the wall, up to the floor
+};
+
+/** @brief What the map of a side shows off the plan's surface. */
+class OffSurface {
+public:
+  OffSurface(const Floorplan& plan,
+             const WallSide& side,
+             const WallMap& map,
+             const SeenSurfaces& rooms,
+             const Priors& priors)
+      : side_(side)
+      , wall_(side.in(plan))
+      , openings_(openingsOn(plan, side))
+      , map_(map)
+      , rooms_(rooms)
+      , from_(side.line.isArc() ? 0 : side.line.project(wall_.start))
+      , to_(from_ + wall_.length())
+      , priors_(priors)
+  {}
+
+  OffWall patches(bool is_behind) const
+  {
+    std::vector<CellValue> offsets;
+    for (std::size_t r = 0; r < map_.rows(); ++r)
+      for (std::size_t c = 0; c < map_.columns(); ++c)
+        if (const double off = map_.offsetAt(c, r);
+            off != 0 && (off < 0) == is_behind && off >= -reach && off <= relief)
+          add(c, r, map_.heightOf(r) + map_.cell() / 2, off, offsets);
+    const Patches found(offsets, map_.cell());
+    return {&side_, found, found.area};
+  }
+
+  /** @brief Returns the columns behind which the ceiling goes on, half a metre of them
+   * or more: no wall can be there. */
+  OffWall passedUnder() const
+  {
+    std::vector<CellValue> offsets;
+    for (std::size_t c = 0; c < map_.columns(); ++c)
+      if (const double off = map_.ceilingBehind(c); off > -wall_tile)
+        add(c, 0, side_.ceiling, off, offsets);
+    const Patches found(offsets, map_.cell(), min_strip * map_.cell());
+    return {&side_, found, found.area / map_.cell() * (side_.ceiling - side_.floor)};
+  }
+
+private:
+  /** @brief Adds a cell unless it is beside a corner, in an opening or its reveals, or
+   * what is behind it is in a room. */
+  void add(std::size_t c,
+           std::size_t r,
+           double z,
+           double off,
+           std::vector<CellValue>& offsets) const
+  {
+    const double s = map_.cell() * (static_cast<double>(c) + 0.5);
+    if (s < from_ + off_wall || s > to_ - off_wall || isInOpening(s, z))
+      return;
+    const double height = z - side_.foot;
+    const double before = off + height * std::tan(side_.line.tilt) -
+                          (off < 0 ? off_wall : 0); // beyond the noise of a face
+    Eigen::Vector3d place;
+    place << side_.line.pointAt(s) + before * side_.line.normalAt(s), z;
+    if (off > 0 || rooms_.ownerOf(place) < 0)
+      offsets.emplace_back(
+          keyOf({static_cast<std::int32_t>(c), static_cast<std::int32_t>(r)}),
+          100 * off);
+  }
+
+  bool isInOpening(double s, double z) const
+  {
+    constexpr double rim = 0.15; // metres
+    return std::any_of(openings_.begin(), openings_.end(), [&](const WallRectangle& o) {
+      return s > o.from - rim && s < o.to + rim && z > o.bottom - rim &&
+             z < o.top + rim && !isAsLongAs(wall_, o.to - o.from, priors_);
+    });
+  }
+
+  const WallSide& side_;
+  const PlanElement& wall_;
+  std::vector<WallRectangle> openings_;
+  const WallMap& map_;
+  const SeenSurfaces& rooms_;
+  double from_; ///< of the wall, along its side
+  double to_;
+  const Priors& priors_;
+};
+
+} // namespace
+
+void
+tellOffWalls(const Floorplan& plan,
+             const OpeningSearch& maps,
+             const SeenSurfaces& rooms,
+             const Priors& priors,
+             std::vector<PlanWarning>& warnings)
+{
+  // Of all surfaces of a room: what is close before walls may be furniture.
+  constexpr double told_behind = 0.01;
+  constexpr double told_before = 0.02;
+  std::vector<std::array<double, 2>> areas(plan.rooms.size()); // before, behind
+  std::vector<OffWall> off;
+  for (std::size_t k = 0; k < maps.sides.size(); ++k) {
+    const WallSide& side = maps.sides[k];
+    const OffSurface surface(plan, side, maps.maps[k], rooms, priors);
+    for (const bool is_behind : {true, false}) {
+      OffWall found = surface.patches(is_behind);
+      if (const OffWall under = surface.passedUnder();
+          is_behind && under.area > found.area) {
+        found.area = under.area;
+        if (found.found.count == 0)
+          found.found = under.found;
+      }
+      if (found.found.count == 0)
+        continue;
+      areas[side.room][is_behind ? 1 : 0] += found.area;
+      off.push_back(std::move(found));
+    }
+  }
+  for (const auto& [side, found, area] : off) {
+    const PlanRoom& room = plan.rooms[side->room];
+    const bool is_behind = found.mean < 0;
+    if (areas[side->room][is_behind ? 1 : 0] >=
+        (is_behind ? told_behind : told_before) * surfacesOf(room))
+      warnings.push_back({WarningKind::WallOff,
+                          {found.area, found.mean},
+                          room.id,
+                          side->isWall() ? side->element + 1 : 0,
+                          {},
+                          side->line.pointAt(found.middle.x())});
+  }
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanNiche& niche : room.niches) {
+      const PlanElement& mouth = niche.boundary.elements.back();
+      const Eigen::Vector2d at = (mouth.start + mouth.end) / 2;
+      const std::size_t w = room.boundary.nearest(at);
+      if (isAsLongAs(room.boundary.elements[w], mouth.length(), priors))
+        warnings.push_back(
+            {WarningKind::WallOff,
+             {mouth.length() * (niche.top.heightAt(at) - niche.bottom.heightAt(at)),
+              -100 * niche.boundary.elements.front().length()},
+             room.id,
+             w + 1,
+             {},
+             at});
+    }
+}
+
+} // namespace pcl::sedr
