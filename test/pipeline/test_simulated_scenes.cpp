@@ -268,11 +268,6 @@ TEST(Chain, finds_the_wall_above_furniture_in_line_with_what_hangs_from_the_ceil
                          units + R"(, {"block": {"wall": 2, "s": 2, "raise": 1.45,
                            "size": [3, 0.35, 0.73]}}])"),
               20, 0.1);
-  // Shelves the tops of which no station sees, below a soffit.
-  EXPECT_NEAR(areaBehind(rectangle + soffit("3.55", "0.3") +
-                         R"("furniture": [{"block": {"wall": 2, "s": 2,
-                           "size": [3, 0.43, 1.72]}}])"),
-              20, 0.1);
   // Shelves in line with a chimney breast, up to 20 cm below the ceiling.
   EXPECT_NEAR(areaBehind(R"("outline": [[0, 0], [5, 0], [5, 4], [3, 4], [3, 3.57],
                            [2, 3.57], [2, 4], [0, 4]],

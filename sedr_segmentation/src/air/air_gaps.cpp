@@ -234,7 +234,7 @@ AirGaps::keepAir()
       kept.push_back(gaps_[g]);
     }
   for (AirRecess& recess : recesses_)
-    recess.from = number[recess.from];
+    recess.air = number[recess.air];
   const std::size_t voids = gaps_.size() - kept.size() - recesses_.size();
   void_area_ = static_cast<double>(voids) * columns_.cellSize() * columns_.cellSize();
   setGaps(std::move(kept));

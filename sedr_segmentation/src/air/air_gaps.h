@@ -24,7 +24,7 @@ struct AirGap {
 /** @brief A low gap that goes on from air, see recessesOf(). */
 struct AirRecess {
   AirGap gap;
-  std::uint32_t from; ///< number of the gap of that air
+  std::uint32_t air; ///< number of the gap of that air
 };
 
 /** @brief What is believed of air in buildings; lengths in metres. */
@@ -107,13 +107,6 @@ public:
 
   /** @brief Whether one can stand in a gap. */
   bool isTall(const AirGap& gap) const { return hasHeadroom(gap.low, gap.high); }
-
-  /** @brief Whether nothing but what hangs from a ceiling is above a gap in its column,
-   * up to the height of that ceiling, in voxels. */
-  bool isBelowHanging(std::size_t g, std::int32_t ceiling) const
-  {
-    return g + 1 == first(gaps_[g].column + 1) || gaps_[g + 1].low > ceiling;
-  }
 
   /** @brief Height of a gap, metres. */
   double height(std::size_t g) const

@@ -75,32 +75,6 @@ isSeen(const AirGap& gap)
   return gap.floor_seen || gap.ceiling_seen;
 }
 
-/** @brief Whether tall air goes on into a low gap, below what hangs from its ceiling.
- */
-bool
-isRecess(const AirGaps& air, std::size_t g)
-{
-  const AirGap& gap = air[g];
-  if (gap.high - gap.low < 2 * air.voxels(air.parameters().same_surface))
-    return false; // its ends could not be told apart
-  for (int d = 0; d < 4; ++d) {
-    const std::uint32_t o =
-        air.goingOnFrom(gap, air.columns().neighbour(gap.column, d));
-    if (o != AirGaps::none && air.isTall(air[o]) && air[o].high >= gap.high &&
-        air.isBelowHanging(g, air[o].high))
-      return true;
-  }
-  return false;
-}
-
-/** @brief Whether a gap that goes on stays as high as air must be. */
-bool
-staysHigh(const AirGaps& air, const AirGap& gap, const AirGap& next)
-{
-  return air.isTall(next) ||
-         (!air.isTall(gap) && 2 * (next.high - next.low) > gap.high - gap.low);
-}
-
 /** @brief Grows air to where an end of it is hidden, and tells which of that is air. */
 class HiddenAir {
 public:
@@ -110,7 +84,7 @@ public:
   {
     std::vector<Front> front;
     for (std::size_t g = 0; g < air.size(); ++g)
-      if (air.isTall(air[g]) || isRecess(air, g))
+      if (air.isTall(air[g]))
         front.push_back({air[g], 0});
     grow(std::move(front));
   }
@@ -193,15 +167,14 @@ private:
           const std::uint32_t column = air_.columns().neighbour(gap.column, d);
           if (!mayGoOn(gap, column))
             continue;
-          const AirGap level{column, gap.low, gap.high, false, false};
-          const AirGap seen = withSeenEnds(air_, level);
+          const AirGap seen =
+              withSeenEnds(air_, {column, gap.low, gap.high, false, false});
           const AirGap place = belowHanging(air_, seen);
           const int so_far = isSeen(place) ? 0 : unseen + 1;
-          if (!staysHigh(air_, gap, place) || so_far > farthest)
+          if (!air_.isTall(place) || so_far > farthest)
             continue;
           add(place);
-          // A low one that follows its surfaces might change to others.
-          next.push_back({air_.isTall(gap) ? seen : level, so_far});
+          next.push_back({seen, so_far});
         }
       front = std::move(next);
     }

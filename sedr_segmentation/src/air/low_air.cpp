@@ -3,6 +3,7 @@
 
 #include "air_labelling.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 
@@ -62,29 +63,31 @@ airOf(const AirGaps& gaps)
 std::vector<AirRecess>
 recessesOf(const AirGaps& gaps, const std::vector<std::uint8_t>& is_air)
 {
+  // Nothing but what hangs from the ceiling of the one is above the lower one.
   const auto goesOn = [&](std::uint32_t a, std::uint32_t b) {
-    return gaps[a].high < gaps[b].high ? gaps.isBelowHanging(a, gaps[b].high)
-                                       : gaps.isBelowHanging(b, gaps[a].high);
+    const auto [low, high] = std::minmax(gaps[a].high, gaps[b].high);
+    const std::uint32_t g = gaps[a].high == low ? a : b;
+    return g + 1 == gaps.first(gaps[g].column + 1) || gaps[g + 1].low > high;
   };
   const std::vector<std::uint8_t> is_recess = airBeside(gaps, is_air, goesOn);
   std::vector<std::uint8_t> is_reached = is_air;
   std::vector<AirRecess> recesses;
   std::vector<std::uint32_t> found;
-  const auto enter = [&](std::uint32_t g, std::uint32_t from) {
+  const auto enter = [&](std::uint32_t g, std::uint32_t air) {
     for (int d = 0; d < 4; ++d)
       if (const std::uint32_t o = gaps.link(g, d); o != AirGaps::none &&
                                                    is_recess[o] != 0 &&
                                                    is_reached[o] == 0 && goesOn(g, o)) {
         is_reached[o] = 1;
         found.push_back(o);
-        recesses.push_back({gaps[o], from});
+        recesses.push_back({gaps[o], air});
       }
   };
   for (std::uint32_t g = 0; g < gaps.size(); ++g)
     if (is_air[g] != 0)
       enter(g, g);
   for (std::size_t k = 0; k < found.size(); ++k)
-    enter(found[k], recesses[k].from);
+    enter(found[k], recesses[k].air);
   return recesses;
 }
 

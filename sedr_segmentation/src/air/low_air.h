@@ -15,9 +15,9 @@ namespace pcl::sedr {
  * @return 1 for each gap that is air, else 0. O(gaps) and a minimum cut. */
 std::vector<std::uint8_t> airOf(const AirGaps& gaps);
 
-/** @brief Finds the recesses of air: low gaps that go on from it below what hangs from
- * its ceiling, or in a wall, with nothing but that above them: above a kitchen's units,
- * below a soffit or a lintel. The same labelling tells how far.
+/** @brief Finds the low gaps that belong to a room: its air goes on into them, above a
+ * kitchen's units or into a window, and nothing is above them but what hangs from its
+ * ceiling, a soffit or a lintel. The labelling of airOf() tells how far they go.
  * @param is_air from airOf() */
 std::vector<AirRecess> recessesOf(const AirGaps& gaps,
                                   const std::vector<std::uint8_t>& is_air);

@@ -67,11 +67,10 @@ private:
     return mask.at(grid_.at(p.x(), p.y())) != 0;
   }
 
-  /** @brief Returns the height of the lowest ceiling at a place of the box. */
+  /** @brief Returns the height of the lowest ceiling at a place in the box. */
   double ceilingAt(const Eigen::Vector2d& p) const
   {
-    const Cell cell = grid_.at(p.x(), p.y());
-    return seen_.isInside(cell) ? static_cast<double>(low_[seen_.indexOf(cell)]) : 0;
+    return static_cast<double>(low_[seen_.indexOf(grid_.at(p.x(), p.y()))]);
   }
 
   void lookBehind(const Eigen::Vector2d& p, const Eigen::Vector2d& out, bool goes_on)

@@ -166,7 +166,7 @@ addRecesses(const AirGaps& air,
 {
   const VoxelColumns& columns = air.columns();
   for (const AirRecess& recess : air.recesses()) {
-    const std::int32_t part = parted.room[recess.from];
+    const std::int32_t part = parted.room[recess.air];
     if (part == PartedAir::no_room || number[static_cast<std::size_t>(part)] == 0)
       continue;
     const AirGap& gap = recess.gap;
