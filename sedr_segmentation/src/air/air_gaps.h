@@ -32,6 +32,7 @@ struct AirParameters {
   double thinnest = 0.15;       ///< lower gaps are noise between two surfaces
   double thinnest_slab = 0.2;   ///< of what is thinner one face was seen
   double headroom = 1.8;        ///< gaps as high as this are air
+  double deepest_reveal = 0.4;  ///< a recess no deeper is of a window or door
   double same_ceiling = 0.15;   ///< a ceiling goes on where it rises by less a cell
   double highest_step = 1.2;    ///< floors farther apart are those of different levels
   double same_surface = 0.2;    ///< a surface goes on where it is no farther off

@@ -70,24 +70,53 @@ recessesOf(const AirGaps& gaps, const std::vector<std::uint8_t>& is_air)
     return g + 1 == gaps.first(gaps[g].column + 1) || gaps[g + 1].low > high;
   };
   const std::vector<std::uint8_t> is_recess = airBeside(gaps, is_air, goesOn);
-  std::vector<std::uint8_t> is_reached = is_air;
-  std::vector<AirRecess> recesses;
-  std::vector<std::uint32_t> found;
-  const auto enter = [&](std::uint32_t g, std::uint32_t air) {
+  struct Reached {
+    std::uint32_t gap;
+    std::uint32_t air;
+    int steps; ///< from the air, columns
+  };
+  std::vector<Reached> reached;
+  std::vector<std::uint32_t> patch(gaps.size(), AirGaps::none); // of each recess
+  std::vector<int> deepest;                                     // of each patch
+  const auto forEachBeside = [&](std::uint32_t g, const auto& visit) {
     for (int d = 0; d < 4; ++d)
-      if (const std::uint32_t o = gaps.link(g, d); o != AirGaps::none &&
-                                                   is_recess[o] != 0 &&
-                                                   is_reached[o] == 0 && goesOn(g, o)) {
-        is_reached[o] = 1;
-        found.push_back(o);
-        recesses.push_back({gaps[o], air});
-      }
+      if (const std::uint32_t o = gaps.link(g, d);
+          o != AirGaps::none && is_recess[o] != 0 && goesOn(g, o))
+        visit(o);
+  };
+  std::vector<std::uint8_t> is_reached = is_air;
+  const auto enter = [&](std::uint32_t g, std::uint32_t air, int steps) {
+    forEachBeside(g, [&](std::uint32_t o) {
+      if (is_reached[o] == 0)
+        reached.push_back({o, air, steps});
+      is_reached[o] = 1;
+    });
   };
   for (std::uint32_t g = 0; g < gaps.size(); ++g)
     if (is_air[g] != 0)
-      enter(g, g);
-  for (std::size_t k = 0; k < found.size(); ++k)
-    enter(found[k], recesses[k].air);
+      enter(g, g, 1);
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    enter(reached[k].gap, reached[k].air, reached[k].steps + 1);
+  for (const Reached& first : reached) {
+    if (patch[first.gap] != AirGaps::none)
+      continue;
+    std::vector<std::uint32_t> front{first.gap};
+    patch[first.gap] = static_cast<std::uint32_t>(deepest.size());
+    deepest.push_back(0);
+    for (std::size_t k = 0; k < front.size(); ++k)
+      forEachBeside(front[k], [&](std::uint32_t o) {
+        if (patch[o] == AirGaps::none)
+          front.push_back(o);
+        patch[o] = patch[first.gap];
+      });
+  }
+  for (const Reached& recess : reached)
+    deepest[patch[recess.gap]] = std::max(deepest[patch[recess.gap]], recess.steps);
+  std::vector<AirRecess> recesses;
+  for (const Reached& recess : reached)
+    if (deepest[patch[recess.gap]] * gaps.columns().cellSize() >
+        gaps.parameters().deepest_reveal)
+      recesses.push_back({gaps[recess.gap], recess.air});
   return recesses;
 }
 

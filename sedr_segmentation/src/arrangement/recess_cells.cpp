@@ -101,7 +101,8 @@ private:
     const bool is_open =
         is_before_room || is(glass_, end) ||
         ceilingAt(p + depth / 2 * out) < ceilingAt(p - inside * out) - head;
-    if (has_back ? !goes_on : !is_open)
+    // Above furniture the ceiling goes on, and what is behind need not be seen.
+    if (has_back ? !goes_on : goes_on && !is_open)
       return;
     CellMask& mask = has_back && depth > deepest_reveal ? found_.closed : found_.open;
     for (double d = step; d <= depth; d += step) {
