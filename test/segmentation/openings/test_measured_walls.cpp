@@ -141,8 +141,8 @@ TEST_F(MeasuredWalls, OneThatIsAWindowFromEndToEndIsOpen)
   Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
   plan.openings.resize(1);
   plan.openings[0].walls = {{1, 0}};
-  plan.openings[0].start = {0.05, 0};
-  plan.openings[0].end = {3.95, 0};
+  plan.openings[0].start = {0, 0};
+  plan.openings[0].end = {4, 0};
   plan.openings[0].top = 2.5;
   const PointView points(cloud_);
   const OpeningSearch search(plan, points, nullptr, nullptr, OpeningParameters());
