@@ -68,8 +68,8 @@ main(int argc, char** argv)
   Detection detection;
   Settings settings;
   Options options("pcl_opening_detection",
-                  "Finds the doors, windows and passages of a floor plan in its scan, "
-                  "and writes the\nplan with them.");
+                  "Finds the doors, windows, passages and niches of a floor plan in "
+                  "its scan, and writes the\nplan with them.");
   options.file("SCAN", settings.scan, "scan before thinning, in the plan's frame");
   options.file("PLAN.json", settings.plan,
                "floor plan, as pcl_floorplan_fitting writes it");

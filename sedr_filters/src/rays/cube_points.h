@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -120,19 +119,6 @@ public:
   const std::vector<Eigen::Vector3f>& operator[](std::uint32_t cube) const
   {
     return places_[cube];
-  }
-
-  /** @brief Checks whether `asked(point)` is true for any point within one edge of a
-   * cube of `place`; it also sees points farther away. */
-  template <typename Asked>
-  bool anyNear(const Eigen::Vector3d& place, Asked asked) const
-  {
-    return cubes_.anyAround(cubes_.at(place), [&](std::uint32_t cube) {
-      return std::any_of(places_[cube].begin(), places_[cube].end(),
-                         [&](const Eigen::Vector3f& p) {
-                           return asked(Eigen::Vector3d(p.cast<double>()));
-                         });
-    });
   }
 
 private:

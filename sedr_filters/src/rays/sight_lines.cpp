@@ -66,13 +66,12 @@ SightLines::lines() const
   return lines;
 }
 
-template <typename Use>
-void
-SightLines::forAllAcross(const Eigen::Vector3d& place,
-                         const Eigen::Vector3d& normal,
-                         double radius,
-                         Use use) const
+SightLines::Crossings
+SightLines::across(const Eigen::Vector3d& place,
+                   const Eigen::Vector3d& normal,
+                   double radius) const
 {
+  Crossings crossings;
   constexpr double clear = 0.15; // metres
   for (const auto& station : stations_) {
     const Eigen::Vector3d from = station->from.cast<double>();
@@ -98,34 +97,10 @@ SightLines::forAllAcross(const Eigen::Vector3d& place,
       const bool is_on = std::abs(end) <= clear;
       if ((start > 0) == (end > 0) && !is_on)
         continue; // ends before it, or leads away
-      if ((start / (start - end) * ray - whole).squaredNorm() <= radius * radius &&
-          !use(is_on))
-        return;
+      if ((start / (start - end) * ray - whole).squaredNorm() <= radius * radius)
+        ++(is_on ? crossings.on : crossings.through);
     }
   }
-}
-
-bool
-SightLines::pierce(const Eigen::Vector3d& place,
-                   const Eigen::Vector3d& normal,
-                   double radius) const
-{
-  bool is_pierced = false;
-  forAllAcross(place, normal, radius,
-               [&](bool is_on) { return !(is_pierced = !is_on); });
-  return is_pierced;
-}
-
-SightLines::Crossings
-SightLines::across(const Eigen::Vector3d& place,
-                   const Eigen::Vector3d& normal,
-                   double radius) const
-{
-  Crossings crossings;
-  forAllAcross(place, normal, radius, [&](bool is_on) {
-    ++(is_on ? crossings.on : crossings.through);
-    return true;
-  });
   return crossings;
 }
 

@@ -33,14 +33,6 @@ public:
   /** @brief Returns where the scanners stood, each place once. */
   std::vector<Eigen::Vector3f> places() const;
 
-  /** @brief Returns whether a ray crosses a surface within `radius` metres of a place,
-   * with both ends more than 15 cm off the surface. O(rays of about that direction) for
-   * each position.
-   * @param normal unit normal of the surface */
-  bool pierce(const Eigen::Vector3d& place,
-              const Eigen::Vector3d& normal,
-              double radius) const;
-
   /** @brief Numbers of rays that cross a place of a surface. */
   struct Crossings {
     std::size_t on = 0;      ///< rays that end within 15 cm of the surface
@@ -55,14 +47,6 @@ public:
 
 private:
   struct Station; ///< the rays of one scanner position
-
-  /** @brief Calls use(ray ends on the surface) for all rays that end on a surface or
-   * behind it, until that returns false. */
-  template <typename Use>
-  void forAllAcross(const Eigen::Vector3d& place,
-                    const Eigen::Vector3d& normal,
-                    double radius,
-                    Use use) const;
 
   std::vector<std::shared_ptr<const Station>> stations_;
 };

@@ -2,8 +2,6 @@
 #include "opening_kind.h"
 #include "opening_leaf.h"
 #include "opening_search.h"
-#include "wall_evidence.h"
-#include "wall_niches.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -53,7 +51,7 @@ findOpenings(const PointView& points,
   nameOpenings(plan, *found, parameters.sizes);
   for (const FoundOpening& opening : found->found)
     plan.openings.push_back(opening.opening);
-  measureEvidence(*found, plan);
+  measureEvidence(*found, threads, plan);
   search = std::move(found);
   return {};
 }

@@ -14,63 +14,6 @@
 namespace pcl::sedr {
 namespace {
 
-/** @brief The sides behind one side, at steps along it. */
-class Backs {
-public:
-  Backs(const std::vector<WallSide>& sides,
-        std::size_t side,
-        BehindKind kind,
-        double max_depth)
-      : sides_(sides)
-  {
-    const double length = sides[side].line.length();
-    const double step = opening_numbers.back_step;
-    for (double s = step / 2; s < length + step / 2; s += step) {
-      behind_.push_back(
-          sidesBehind(sides, sides[side], std::min(s, length), kind, max_depth));
-      if (!behind_.back().empty())
-        nearest_ = std::min(nearest_, behind_.back().front().depth);
-    }
-  }
-
-  /** @brief Returns the sides behind a place of any height, by their depths. */
-  const std::vector<SideBehind>& at(double along) const
-  {
-    const auto k =
-        static_cast<std::size_t>(std::max(along, 0.0) / opening_numbers.back_step);
-    return behind_[std::min(k, behind_.size() - 1)];
-  }
-
-  /** @brief Returns the nearest side behind a place at a height, of a room above or
-   * below where there is none at the height; null: none at all. */
-  const SideBehind* at(double along, double height) const
-  {
-    const SideBehind* best = nullptr;
-    double off = std::numeric_limits<double>::infinity();
-    for (const SideBehind& behind : at(along)) {
-      const WallSide& side = sides_[behind.side];
-      const double beyond = std::max({side.floor - height, height - side.ceiling, 0.0});
-      if (beyond < off)
-        best = &behind;
-      off = std::min(off, beyond);
-    }
-    return best;
-  }
-
-  /** @brief Returns the depth of the side behind a place, where there is none that of
-   * the nearest one anywhere; infinite: none at all. */
-  double depthAt(double along, double height) const
-  {
-    const SideBehind* const behind = at(along, height);
-    return behind ? behind->depth : nearest_;
-  }
-
-private:
-  const std::vector<WallSide>& sides_;
-  std::vector<std::vector<SideBehind>> behind_;
-  double nearest_ = std::numeric_limits<double>::infinity();
-};
-
 /** @brief Whether two openings are the same one, seen from two sides or by two walls in
  * a line. */
 bool
@@ -168,8 +111,8 @@ public:
     parallelFor(sides.size(), 1, parameters_.threads, [&](std::size_t k) {
       maps[k].emplace(plan_.rooms[sides[k].room], sides[k], std::move(beside[k]),
                       sizes_, rays, [&](double along, double height) {
-                        return std::min(backs_[k].depthAt(along, height),
-                                        sizes_.shallow);
+                        return std::min({backs_[k].depthAt(along, height),
+                                         sizes_.shallow, sizes_.max_depth});
                       });
     });
     for (auto& map : maps)
@@ -368,21 +311,6 @@ private:
 };
 
 } // namespace
-
-std::vector<WallRectangle>
-openingsOn(const Floorplan& plan, const WallSide& side)
-{
-  std::vector<WallRectangle> on_side;
-  for (const PlanOpening& opening : plan.openings)
-    for (const OpeningWall& of : opening.walls)
-      if (side.isWall() && of.element == side.element &&
-          of.room == plan.rooms[side.room].id) {
-        const auto [from, to] = std::minmax(
-            {side.line.project(opening.start), side.line.project(opening.end)});
-        on_side.push_back({from, to, opening.bottom, opening.top});
-      }
-  return on_side;
-}
 
 double
 highestFloor(const Floorplan& plan, const PlanOpening& opening)

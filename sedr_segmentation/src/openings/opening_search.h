@@ -62,11 +62,30 @@ struct OpeningSearch {
   double seenInside(const FoundOpening& opening) const;
 };
 
-/** @brief Returns where the openings of a plan lie on a side. */
-std::vector<WallRectangle> openingsOn(const Floorplan& plan, const WallSide& side);
-
 /** @brief Returns the height of the floor before or behind an opening, the higher one.
  */
 double highestFloor(const Floorplan& plan, const PlanOpening& opening);
+
+/** @brief Sets the niches of the rooms to those of the candidates for openings that
+ * have a back.
+ *
+ * A niche is a rectangle in a straight wall most cells of which show nothing on the
+ * wall or before it and end at one depth behind it, and hardly any shows something
+ * farther behind. Shallow ones are closed doors or blinds, those from floor to ceiling
+ * parts of the room. None reaches into a room or a niche of another one. Of niches
+ * above each other, only the largest one is kept, as a plan has one floor and one
+ * ceiling per position. */
+void findNiches(const Priors& priors, const OpeningSearch& search, Floorplan& plan);
+
+/** @brief Returns whether a niche of a room overlaps that room, another one of the same
+ * heights or a niche of one. */
+bool isShared(const Floorplan& plan, const PlanRoom& room, const PlanNiche& niche);
+
+/** @brief Stores in PlanElement::evidence which shares of every wall and side of a
+ * column the maps show: seen, with points on the plan's surface; hidden, by what stands
+ * before it or in its shade; open, as all of its openings. A surface that was hardly
+ * seen is hidden but where rays went through. Mouths of niches, corners and the edges
+ * to floor and ceiling do not count. O(cells). */
+void measureEvidence(const OpeningSearch& search, unsigned threads, Floorplan& plan);
 
 } // namespace pcl::sedr

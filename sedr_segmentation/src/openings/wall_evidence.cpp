@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_evidence.h"
+#include "opening_search.h"
 
+#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include <algorithm>
@@ -46,21 +47,23 @@ addCells(const WallSide& side,
             return s + start > at.from && s + start < at.to && z > at.bottom &&
                    z < at.top;
           });
+      const bool is_seen =
+          !is_open && (state == WallCell::Seen || map.offsetAt(c, r) == 0);
       if (is_open)
         ++counts.opening;
-      else if (state == WallCell::Seen || map.offsetAt(c, r) == 0)
+      else if (is_seen)
         ++counts.seen;
       else if (state == WallCell::Hidden || state == WallCell::Shaded)
         ++counts.hidden;
       else
         ++counts.opening;
-      counts.proved += state == WallCell::Through ? 1 : 0;
+      counts.proved += is_open || (!is_seen && state == WallCell::Through) ? 1 : 0;
     }
   }
 }
 
 /** @brief Returns the shares of counted cells. If the surface was not in view, all
- * cells that no ray passed through are hidden. */
+ * cells that are in no opening and no ray passed through are hidden. */
 ElementEvidence
 sharesOf(const CellCounts& counts)
 {
@@ -78,18 +81,18 @@ sharesOf(const CellCounts& counts)
 } // namespace
 
 void
-measureEvidence(const OpeningSearch& search, Floorplan& plan)
+measureEvidence(const OpeningSearch& search, unsigned threads, Floorplan& plan)
 {
   std::map<const PlanElement*, std::size_t> side_of;
   for (std::size_t k = 0; k < search.sides.size(); ++k)
     side_of[&search.sides[k].in(plan)] = k;
   std::vector<CellCounts> counts(search.sides.size());
-  for (const PlanRoom& room : plan.rooms)
-    for (const VerticalSurface& surface : verticalSurfaces(room))
-      if (const auto side = side_of.find(surface.element);
-          side != side_of.end() && surface.label != StructureLabel::Detail)
+  parallelFor(plan.rooms.size(), 1, threads, [&](std::size_t r) {
+    for (const VerticalSurface& surface : verticalSurfaces(plan.rooms[r]))
+      if (const auto side = side_of.find(surface.element); side != side_of.end())
         addCells(search.sides[side->second], search.maps[side->second], surface,
                  openingsOn(plan, search.sides[side->second]), counts[side->second]);
+  });
   for (std::size_t k = 0; k < counts.size(); ++k)
     search.sides[k].in(plan).evidence = sharesOf(counts[k]);
 }

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_map.h"
-#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include "sedr_filters/src/base/quantiles.h"
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -365,57 +360,6 @@ WallMap::closeGaps()
           cell = WallCell::Seen;
       last = c;
     }
-}
-
-namespace {
-
-namespace bg = boost::geometry;
-
-using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Corner>;
-
-} // namespace
-
-std::vector<std::vector<SidePoint>>
-pointsBeside(const std::vector<WallSide>& sides,
-             const PointView& points,
-             const pcl::Indices* indices,
-             double before,
-             double behind)
-{
-  std::vector<std::vector<SidePoint>> beside(sides.size());
-  const double reach = std::max(before, behind);
-  std::vector<std::pair<Box, std::size_t>> boxes;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const WallSide& side = sides[s];
-    const Eigen::AlignedBox2d box = boxAround(side.line);
-    const double far =
-        reach + (side.ceiling - side.floor) * std::abs(std::tan(side.line.tilt));
-    boxes.push_back({{{box.min().x() - far, box.min().y() - far, side.floor - 0.1},
-                      {box.max().x() + far, box.max().y() + far, side.ceiling + 0.1}},
-                     s});
-  }
-  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
-      boxes);
-  const std::size_t n = indices ? indices->size() : points.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Eigen::Vector3f p =
-        points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
-    if (!p.allFinite())
-      continue;
-    const Eigen::Vector2d place = p.head<2>().cast<double>();
-    const auto add = [&](const std::pair<Box, std::size_t>& near) {
-      const PlanElement& line = sides[near.second].line;
-      const double offset =
-          sides[near.second].offset(Eigen::Vector3d(p.cast<double>()));
-      if (offset <= before && offset >= -behind && line.isBeside(place))
-        beside[near.second].push_back({static_cast<float>(line.project(place)), p.z(),
-                                       static_cast<float>(offset)});
-    };
-    tree.query(bg::index::intersects(Corner(place.x(), place.y(), p.z())),
-               boost::make_function_output_iterator(add));
-  }
-  return beside;
 }
 
 } // namespace pcl::sedr

@@ -5,10 +5,6 @@
 
 #include "sedr_filters/src/rays/sight_lines.h"
 
-#include <pcl/sedr_filters/point_view.h>
-
-#include <pcl/types.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -33,13 +29,6 @@ isNothing(WallCell state)
 {
   return state == WallCell::Empty || state == WallCell::Shaded;
 }
-
-/** @brief A point beside a wall, in metres. */
-struct SidePoint {
-  float along;
-  float height; ///< z
-  float offset; ///< before the face, below 0 behind it
-};
 
 /** @brief What a scan shows of a side of a wall, in cells of arc length and height. */
 class WallMap {
@@ -144,14 +133,5 @@ private:
   std::vector<float> farthest_;
   std::vector<float> ceiling_behind_;
 };
-
-/** @brief Returns the points of a scan beside each side: up to `before` metres before
- * and `behind` behind it, between floor and ceiling.
- * @param indices of the points to use; null: all */
-std::vector<std::vector<SidePoint>> pointsBeside(const std::vector<WallSide>& sides,
-                                                 const PointView& points,
-                                                 const pcl::Indices* indices,
-                                                 double before,
-                                                 double behind);
 
 } // namespace pcl::sedr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_niches.h"
+#include "opening_search.h"
 
 #include "../curves/loop_difference.h"
 #include "sedr_filters/src/base/plane_fit.h"
@@ -22,12 +22,13 @@ depthOfBack(const WallMap& map, const WallRectangle& at, const Priors& priors)
   const double tolerance = std::max(map.tolerance(), 0.6 * priors.wall_band);
   std::vector<std::pair<double, double>> offsets; // of the nearest and farthest thing
   std::vector<double> depths;
-  for (double s = at.from + cell; s <= at.to - cell; s += cell)
-    for (double z = at.bottom + cell; z <= at.top - cell; z += cell) {
-      if (map.at(s, z) == WallCell::Beyond)
+  for (std::size_t c = 0; c < map.columns(); ++c)
+    for (std::size_t r = 0; r < map.rows(); ++r) {
+      const double s = cell * (static_cast<double>(c) + 0.5);
+      const double z = map.heightOf(r) + cell / 2;
+      if (s < at.from + cell || s > at.to - cell || z < at.bottom + cell ||
+          z > at.top - cell || map.at(c, r) == WallCell::Beyond)
         continue;
-      const auto c = static_cast<std::size_t>(s / cell);
-      const auto r = static_cast<std::size_t>((z - map.heightOf(0)) / cell);
       offsets.emplace_back(map.offsetAt(c, r), map.farthestAt(c, r));
       if (const double depth = -map.offsetAt(c, r);
           depth > tolerance && depth <= priors.max_niche_depth + tolerance)

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_sides.h"
 
+#include "sedr_filters/src/plan/plan_geometry.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -115,6 +121,111 @@ sidesBehind(const std::vector<WallSide>& sides,
       found.begin(), found.end(),
       [](const SideBehind& a, const SideBehind& b) { return a.depth < b.depth; });
   return found;
+}
+
+Backs::Backs(const std::vector<WallSide>& sides,
+             std::size_t side,
+             BehindKind kind,
+             double max_depth)
+    : sides_(sides)
+{
+  const double length = sides[side].line.length();
+  const double step = opening_numbers.back_step;
+  for (double s = step / 2; s < length + step / 2; s += step) {
+    behind_.push_back(
+        sidesBehind(sides, sides[side], std::min(s, length), kind, max_depth));
+    if (!behind_.back().empty())
+      nearest_ = std::min(nearest_, behind_.back().front().depth);
+  }
+}
+
+const std::vector<SideBehind>&
+Backs::at(double along) const
+{
+  const auto k =
+      static_cast<std::size_t>(std::max(along, 0.0) / opening_numbers.back_step);
+  return behind_[std::min(k, behind_.size() - 1)];
+}
+
+const SideBehind*
+Backs::at(double along, double height) const
+{
+  const SideBehind* best = nullptr;
+  double off = std::numeric_limits<double>::infinity();
+  for (const SideBehind& behind : at(along)) {
+    const WallSide& side = sides_[behind.side];
+    const double beyond = std::max({side.floor - height, height - side.ceiling, 0.0});
+    if (beyond < off)
+      best = &behind;
+    off = std::min(off, beyond);
+  }
+  return best;
+}
+
+std::vector<WallRectangle>
+openingsOn(const Floorplan& plan, const WallSide& side)
+{
+  std::vector<WallRectangle> on_side;
+  for (const PlanOpening& opening : plan.openings)
+    for (const OpeningWall& of : opening.walls)
+      if (side.isWall() && of.element == side.element &&
+          of.room == plan.rooms[side.room].id) {
+        const auto [from, to] = std::minmax(
+            {side.line.project(opening.start), side.line.project(opening.end)});
+        on_side.push_back({from, to, opening.bottom, opening.top});
+      }
+  return on_side;
+}
+
+namespace {
+
+namespace bg = boost::geometry;
+
+using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
+using Box = bg::model::box<Corner>;
+
+} // namespace
+
+std::vector<std::vector<SidePoint>>
+pointsBeside(const std::vector<WallSide>& sides,
+             const PointView& points,
+             const pcl::Indices* indices,
+             double before,
+             double behind)
+{
+  std::vector<std::vector<SidePoint>> beside(sides.size());
+  const double reach = std::max(before, behind);
+  std::vector<std::pair<Box, std::size_t>> boxes;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const WallSide& side = sides[s];
+    const Eigen::AlignedBox2d box = boxAround(side.line);
+    const double far =
+        reach + (side.ceiling - side.floor) * std::abs(std::tan(side.line.tilt));
+    boxes.push_back({{{box.min().x() - far, box.min().y() - far, side.floor - 0.1},
+                      {box.max().x() + far, box.max().y() + far, side.ceiling + 0.1}},
+                     s});
+  }
+  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
+      boxes);
+  const std::size_t n = indices ? indices->size() : points.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Eigen::Vector3f p =
+        points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
+    if (!p.allFinite())
+      continue;
+    const Eigen::Vector2d place = p.head<2>().cast<double>();
+    const auto add = [&](const std::pair<Box, std::size_t>& near) {
+      const PlanElement& line = sides[near.second].line;
+      const double offset =
+          sides[near.second].offset(Eigen::Vector3d(p.cast<double>()));
+      if (offset <= before && offset >= -behind && line.isBeside(place))
+        beside[near.second].push_back({static_cast<float>(line.project(place)), p.z(),
+                                       static_cast<float>(offset)});
+    };
+    tree.query(bg::index::intersects(Corner(place.x(), place.y(), p.z())),
+               boost::make_function_output_iterator(add));
+  }
+  return beside;
 }
 
 } // namespace pcl::sedr

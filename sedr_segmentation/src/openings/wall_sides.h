@@ -4,9 +4,13 @@
 #include "opening_weights.h"
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_view.h>
+
+#include <pcl/types.h>
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pcl::sedr {
@@ -67,5 +71,64 @@ std::vector<SideBehind> sidesBehind(const std::vector<WallSide>& sides,
                                     double along,
                                     BehindKind kind,
                                     double max_depth);
+
+/** @brief The sides behind one side, at steps along it. */
+class Backs {
+public:
+  Backs(const std::vector<WallSide>& sides,
+        std::size_t side,
+        BehindKind kind,
+        double max_depth);
+
+  /** @brief Returns the sides behind a place of any height, by their depths. */
+  const std::vector<SideBehind>& at(double along) const;
+
+  /** @brief Returns the nearest side behind a place at a height, of a room above or
+   * below where there is none at the height; null: none at all. */
+  const SideBehind* at(double along, double height) const;
+
+  /** @brief Returns the depth of the side behind a place, where there is none that of
+   * the nearest one anywhere; infinite: none at all. */
+  double depthAt(double along, double height) const
+  {
+    const SideBehind* const behind = at(along, height);
+    return behind ? behind->depth : nearest_;
+  }
+
+private:
+  const std::vector<WallSide>& sides_;
+  std::vector<std::vector<SideBehind>> behind_;
+  double nearest_ = std::numeric_limits<double>::infinity();
+};
+
+/** @brief A rectangle on a map, metres. */
+struct WallRectangle {
+  double from = 0; ///< along the side
+  double to = 0;
+  double bottom = 0;
+  double top = 0;       ///< of an arched head: its highest point
+  double residual = 0;  ///< standard deviation of its edges
+  double rise = 0;      ///< of an arched head
+  double deviation = 0; ///< distance from its edges of 95 % of what shows them
+};
+
+/** @brief Returns where the openings of a plan lie on a side. */
+std::vector<WallRectangle> openingsOn(const Floorplan& plan, const WallSide& side);
+
+/** @brief A point beside a wall, in metres. */
+struct SidePoint {
+  float along;
+  float height; ///< z
+  float offset; ///< before the face, below 0 behind it
+};
+
+/** @brief Returns the points of a scan beside each side: up to `before` metres before
+ * and `behind` behind it, between floor and ceiling.
+ * @param indices of the points to use; null: all */
+std::vector<std::vector<SidePoint>> pointsBeside(const std::vector<WallSide>& sides,
+                                                 const PointView& points,
+                                                 const pcl::Indices* indices,
+                                                 double before,
+                                                 double behind);
 
 } // namespace pcl::sedr

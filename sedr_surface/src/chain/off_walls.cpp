@@ -109,8 +109,9 @@ public:
     for (std::size_t c = 0; c < map_.columns(); ++c)
       if (const double off = map_.ceilingBehind(c); off > -wall_tile)
         add(c, 0, side_.ceiling, off, offsets);
-    const Patches found(offsets, map_.cell(), min_strip * map_.cell());
-    return {&side_, found, found.area / map_.cell() * (side_.ceiling - side_.floor)};
+    Patches found(offsets, map_.cell(), min_strip * map_.cell());
+    found.area *= wall_tile / map_.cell(); // a strip of the same depth on all maps
+    return {&side_, found, found.area / wall_tile * (side_.ceiling - side_.floor)};
   }
 
 private:

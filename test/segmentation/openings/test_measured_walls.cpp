@@ -4,6 +4,7 @@
 #include "two_storeys.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
+#include "sedr_segmentation/src/openings/opening_search.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -131,6 +132,25 @@ TEST_F(MeasuredWalls, RaysProveAnOpeningBehindWhatStandsBeforeIt)
   EXPECT_EQ(wall(proved, 2).hidden, wall(guessed, 2).hidden) << "rays that end before";
 }
 
+TEST_F(MeasuredWalls, OneThatIsAWindowFromEndToEndIsOpen)
+{
+  const auto isWindow = [](const Place& p) {
+    return p.x() > 0.05 && p.x() < 3.95 && p.z() > 0.05;
+  };
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}, isWindow);
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  plan.openings.resize(1);
+  plan.openings[0].walls = {{1, 0}};
+  plan.openings[0].start = {0, 0};
+  plan.openings[0].end = {4, 0};
+  plan.openings[0].top = 2.5;
+  const PointView points(cloud_);
+  const OpeningSearch search(plan, points, nullptr, nullptr, OpeningParameters());
+  measureEvidence(search, 1, plan);
+  EXPECT_LT(wall(plan, 0).seen, 0.05);
+  EXPECT_GT(wall(plan, 0).opening, 0.95);
+}
+
 TEST_F(MeasuredWalls, RoomsWallToWallAreSeenEachAsAloneForAnyNumberOfThreads)
 {
   const std::vector<PlanRoom> rooms{roomOf(rectangle(0, 0, 4, 3), 2.5),
@@ -150,6 +170,7 @@ TEST_F(MeasuredWalls, RoomsWallToWallAreSeenEachAsAloneForAnyNumberOfThreads)
       // What is an opening follows from both faces.
       EXPECT_NEAR(one.seen, other.seen, r == 1 && e == 3 ? 0.1 : 0) << r << ' ' << e;
       const ElementEvidence& again = wall(by_one, e, r);
+      EXPECT_EQ(again.seen, other.seen) << r << ' ' << e;
       EXPECT_EQ(again.hidden, other.hidden) << r << ' ' << e;
       EXPECT_EQ(again.opening, other.opening) << r << ' ' << e;
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace {
@@ -113,15 +114,20 @@ TEST(Niches, ABackThroughWhichOneSeesOnIsNotClosed)
 
 TEST(Niches, OfAnLIsARectangle)
 {
-  const auto nichesWithout = [](double from, double low) {
-    Scene scene([&](const Eigen::Vector3d& p) {
+  // One of its two rectangles: below the part that is missing.
+  for (const auto& [from, low] : {std::pair(1.6, 1.4), {2.1, 1.9}}) {
+    Scene scene([from = from, low = low](const Eigen::Vector3d& p) {
       return p.x() < 5.01 || p.y() < from || p.z() < low;
     });
     scene.wallAt(5, from, 2.4, low, 2.2);
-    return scene.niches();
-  };
-  EXPECT_EQ(nichesWithout(1.6, 1.4), 1u) << "a third of it is wall";
-  EXPECT_EQ(nichesWithout(2.1, 1.9), 1u) << "a twentieth is a lamp";
+    const auto found = nichesOf(scene.points, scene.room);
+    ASSERT_EQ(found.size(), 1u) << from;
+    const PlanElement& mouth = found[0].boundary.elements.back();
+    EXPECT_NEAR(mouth.end.y(), 1, 0.02);
+    EXPECT_NEAR(mouth.start.y(), 2.4, 0.02);
+    EXPECT_NEAR(found[0].bottom.heightAt({5, 2}), 0.8, 0.02);
+    EXPECT_NEAR(found[0].top.heightAt({5, 2}), low, 0.06) << "to a cell";
+  }
 }
 
 TEST(Niches, HeightsCountFromTheFloor)

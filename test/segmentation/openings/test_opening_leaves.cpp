@@ -65,5 +65,53 @@ TEST(OpeningLeaves, WallsBesideAJambAreNoLeaves)
   }
 }
 
+TEST(OpeningLeaves, ClosedDoorShowsByItsReliefAlsoBelowTheNoise)
+{
+  for (const double noise : {0.003, 0.01}) {
+    TwoRooms scene(noise);
+    scene.scanMiddleWall({door});
+    if (noise < 0.01)
+      scene.scanSheet(door, 4.05);
+    else
+      for (const double face : {4.02, 4.1})
+        scene.scanSheet(door, face);
+    EXPECT_EQ(openingOf(scene, OpeningKind::Door).state, OpeningState::Closed) << noise;
+  }
+}
+
+TEST(OpeningLeaves, ClosedLeavesOfADoubleDoorAreNoPassage)
+{
+  for (const double width : {1.6, 2.0}) {
+    const Cut doubled{1, 1 + width, 0, 2.1};
+    TwoRooms scene(0.003);
+    scene.scanMiddleWall({doubled});
+    scene.scanSheet(doubled, 4.06);
+    EXPECT_EQ(openingOf(scene, OpeningKind::Door).state, OpeningState::Closed);
+  }
+}
+
+TEST(OpeningLeaves, LeafFlushWithOneFaceHasTheEdgesOfTheOther)
+{
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({door});
+  scene.scanSheet(door, 4);
+  scene.scanSheet(door, 4.05);
+  const PlanOpening found = openingOf(scene, OpeningKind::Door);
+  expectEdges(found, door, 4.06, 0.02);
+}
+
+TEST(OpeningLeaves, WallBehindALeafOfWhichStripesWereSeenIsNoDoor)
+{
+  const Cut shade{1, 1.9, 0, 2.1};
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({}, {shade});
+  scene.leaveOut([&](const pcl::PointXYZ& p) {
+    return p.y > 4.1 && shade.contains(p.x, p.z) && std::lround(p.x / 0.015) % 8 != 0;
+  });
+  scene.scanLeaf(1.9, 4.0, -90, 0.9, 2.1);
+  scene.scanSheet(shade, 4.45, 31);
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
 } // namespace
 } // namespace pcl::sedr

@@ -2,7 +2,7 @@
 #include "room_evidence.h"
 #include "two_storeys.h"
 
-#include "sedr_segmentation/src/openings/wall_niches.h"
+#include "sedr_segmentation/src/openings/opening_search.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 
 #include <gtest/gtest.h>

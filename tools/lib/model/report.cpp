@@ -236,6 +236,8 @@ wallMapsOf(const Reconstruction& chain)
   const double cell = std::max(finest, std::sqrt(area / most));
   for (std::size_t k = 0; k < search.maps.size(); ++k) {
     const WallSide& side = search.sides[k];
+    if (!side.may_have_openings)
+      continue;
     const WallMap& map = search.maps[k];
     const double size = std::max(cell, map.cell());
     const auto partsOf = [size](double length) {
@@ -243,8 +245,6 @@ wallMapsOf(const Reconstruction& chain)
     };
     const std::size_t columns = partsOf(side.line.length());
     const std::size_t rows = partsOf(map.cell() * static_cast<double>(map.rows()));
-    if (!side.may_have_openings)
-      continue;
     Json walls = Json::array();
     if (side.isWall())
       walls.push_back(side.element + 1);

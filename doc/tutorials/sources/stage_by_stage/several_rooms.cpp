@@ -5,6 +5,7 @@
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/mesh_io.h>
@@ -81,6 +82,12 @@ main(int argc, char** argv)
   for (const auto& warning : fitting.getWarnings())
     std::cout << "warning: " << sentenceOf(warning) << '\n';
   giveStoreys(building, *plan); // with stairs
+  pcl::OpeningDetection<pcl::PointXYZ> openings;
+  openings.setInputCloud(scan);
+  if (!openings.segment(*plan)) {
+    std::cerr << openings.getErrorMessage() << '\n';
+    return 2;
+  }
   // [plan]
 
   // [solid]

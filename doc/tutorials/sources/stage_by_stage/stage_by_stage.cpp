@@ -12,6 +12,7 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structural_poisson.h>
@@ -196,10 +197,16 @@ fitPlan(const Parts& parts, const Cloud::ConstPtr& scan)
   const auto plan = std::make_shared<pcl::sedr::Floorplan>();
   if (!fitting.segment(*plan))
     giveUp(fitting);
+  pcl::OpeningDetection<pcl::PointXYZ> openings;
+  openings.setInputCloud(scan);
+  if (!openings.segment(*plan))
+    giveUp(openings);
   for (const auto& room : plan->rooms)
     std::cout << "plan: room " << room.id << " has " << room.area() << " m2, "
               << room.boundary.elements.size() << " walls, " << room.columns.size()
-              << " columns, " << room.details.size() << " details\n";
+              << " columns, " << room.details.size() << " details, "
+              << room.niches.size() << " niches, " << plan->openings.size()
+              << " openings\n";
   return plan;
 }
 // [plan]

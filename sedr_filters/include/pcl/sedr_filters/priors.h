@@ -38,6 +38,7 @@ struct Priors : StageThresholds {
   double max_wall = 0.6;        ///< maximum thickness of a wall, with its niches
   double min_niche_depth = 0.2; ///< shallower ones are panels, closed doors, blinds
   double max_niche_depth = 1;   ///< deeper recesses are parts of the room
+  double min_recess = 0.3;      ///< minimum width and height of a niche
   double max_door_width = 1.6;  ///< maximum width of a door or window with a head
   double assumed_partition = 0.01; ///< thickness of a partition that was not measured
 
@@ -50,7 +51,6 @@ struct Priors : StageThresholds {
   double max_soffit_reach = 5;   ///< maximum distance of a soffit from the main ceiling
   double min_floor_step = 0.045; ///< smaller steps are a rug or a ceiling panel
   double min_slab_area = 1; ///< minimum area of a floor part or a shallow ceiling step
-  double min_recess = 0.3;  ///< minimum width of a ceiling recess; narrower: ribs
 
   // Furniture.
   double max_furniture_depth = 0.9; ///< its maximum depth, a wardrobe before a wall

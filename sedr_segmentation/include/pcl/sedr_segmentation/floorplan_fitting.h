@@ -86,8 +86,9 @@ struct FittedBoundary {
  * cells, a room or none, that make one energy smallest are its plan. The result is a
  * closed loop of segments and arcs per room, with columns as inner loops and details as
  * loops of their own height. Room numbers of the points separate the rooms, see
- * setRooms(); without them there is one room. Non-finite points are left out. O(n log
- * n) for n points plus the cells of the rooms' bounding boxes.
+ * setRooms(); without them there is one room. A plan has no niches and no
+ * evidence before OpeningDetection. Non-finite points are left out. O(n log n) for n
+ * points plus the cells of the rooms' bounding boxes.
  * @code
  * pcl::FloorplanFitting<pcl::PointXYZ> fitting;
  * fitting.setInputCloud(thinned);
