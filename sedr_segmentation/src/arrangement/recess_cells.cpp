@@ -21,7 +21,6 @@ public:
                double max_depth)
       : grid_(grid)
       , max_depth_(max_depth)
-      , low_(cells[room].low)
       , seen_(closed(cells[room].seen, 2))
       , opaque_(seen_.box())
       , glass_(seen_.box())
@@ -67,18 +66,11 @@ private:
     return mask.at(grid_.at(p.x(), p.y())) != 0;
   }
 
-  /** @brief Returns the height of the lowest ceiling at a place in the box. */
-  double ceilingAt(const Eigen::Vector2d& p) const
-  {
-    return static_cast<double>(low_[seen_.indexOf(grid_.at(p.x(), p.y()))]);
-  }
-
   void lookBehind(const Eigen::Vector2d& p, const Eigen::Vector2d& out, bool goes_on)
   {
     constexpr double before = 0.15;        // metres: here air of the room was seen,
     constexpr double inside = 0.4;         // and here
     constexpr double deepest_reveal = 0.4; // to a leaf, a blind or a back
-    constexpr double head = 0.06;          // of an opening, below the ceiling
     if (!is(seen_, p - before * out) || !is(seen_, p - inside * out))
       return;
     const double size = grid_.size();
@@ -98,11 +90,7 @@ private:
         if (is(seen_, p + d * out))
           return;
     const bool has_back = is(opaque_, end) && !is_before_room;
-    const bool is_open =
-        is_before_room || is(glass_, end) ||
-        ceilingAt(p + depth / 2 * out) < ceilingAt(p - inside * out) - head;
-    // Above furniture the ceiling goes on, and what is behind need not be seen.
-    if (has_back ? !goes_on : goes_on && !is_open)
+    if (has_back && !goes_on)
       return;
     CellMask& mask = has_back && depth > deepest_reveal ? found_.closed : found_.open;
     for (double d = step; d <= depth; d += step) {
@@ -114,7 +102,6 @@ private:
 
   const CellGrid& grid_;
   double max_depth_;
-  const std::vector<float>& low_;
   CellMask seen_;
   CellMask opaque_; ///< near opaque surfaces
   CellMask glass_;

@@ -223,7 +223,7 @@ gatherWalls(const PointView& points,
           };
           if (below && (q.z() > cells.top[at] - p.rim || maySlope(at)))
             return;
-          if (q.z() < cells.top[at] - p.rim / 2) // else it may be of the ceiling
+          if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
           if (const double above = q.z() - cells.floor; above > p.rim)
             bins_of_base[at] |= std::uint64_t{1}
