@@ -64,7 +64,6 @@ addSlab(const RoomLookup& model,
         std::vector<PlanWarning>& warnings)
 {
   constexpr double told_share = 0.02; // of the area of a room
-  constexpr double least = 0.05;      // square metres of each place: ribs are many
   const PlanRoom& room = model.room();
   const double floor = room.floorAt(room.boundary.elements.front().start);
   std::vector<CellValue> heights; // of what is off the model
@@ -103,7 +102,7 @@ addSlab(const RoomLookup& model,
       above.emplace_back(heights.back().first, z - high + off_slab);
   }
   dropFurniture(above, grid.size(), priors, heights);
-  const Patches found(heights, grid.size(), least);
+  const Patches found(heights, grid.size());
   const double told = std::min(told_share * room.area(), priors.max_furniture_area);
   if (found.count > 0 && found.area >= told)
     warnings.push_back(slabWarning(is_floor, found, room));
