@@ -231,40 +231,6 @@ TEST(Chain, leaves_a_wall_of_windows_where_its_lintel_is)
   }
 }
 
-/** @brief Returns the area of the room of 5 x 4 m, 2.6 m high, that is found in a scan
- * of a kitchen's units along a wall, below a bulkhead.
- * @param bulkhead where it begins, and its drop
- * @param more furniture */
-double
-areaOfKitchen(const std::string& bulkhead, const std::string& more)
-{
-  const sim::Scene scene = sim::parseScene(R"({"format": "sedr-scene", "version": 1,
-    "name": "kitchen", "summary": "units in line with a bulkhead", "rooms": [
-      {"name": "room", "outline": {"rectangle": [[0, 0], [5, 4]]}, "floor": 0,
-       "ceiling": 2.6, "ceiling_details": [{"loop": {"rectangle": [[0, )" +
-                                               bulkhead +
-                                               R"(}], "furniture": [
-         {"block": {"wall": 2, "s": 2, "size": [3, 0.6, 0.9]}})" +
-                                               more +
-                                               R"(]}],
-    "scanners": [{"stations": [[1.5, 1.4, 1.5], [3.4, 2.3, 1.5]], "rays": 300000,
-      "noise": 0.005, "jitter": 0.5}]})",
-                                           "kitchen");
-  Reconstruction chain;
-  chain.setInputCloud(cloudOf(scene, sim::noiseAndSeed(0.005, 1)));
-  EXPECT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-  EXPECT_EQ(chain.getFloorplan()->rooms.size(), 1U);
-  return chain.getFloorplan()->rooms.front().area();
-}
-
-TEST(Chain, finds_the_wall_above_units_in_line_with_a_bulkhead)
-{
-  const std::string cupboards =
-      R"(, {"block": {"wall": 2, "s": 2, "raise": 1.45, "size": [3, 0.35, 0.73]}})";
-  EXPECT_NEAR(areaOfKitchen(R"(3.4], [5, 4]]}, "drop": 0.7)", ""), 20, 0.1);
-  EXPECT_NEAR(areaOfKitchen(R"(3.42], [5, 4]]}, "drop": 0.4)", cupboards), 20, 0.1);
-}
-
 TEST(Chain, names_the_stage_that_found_nothing)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr floor(new pcl::PointCloud<pcl::PointXYZ>);

@@ -225,18 +225,12 @@ void
 AirGaps::keepAir()
 {
   const std::vector<std::uint8_t> is_air = airOf(*this);
-  recesses_ = recessesOf(*this, is_air);
   std::vector<AirGap> kept;
-  std::vector<std::uint32_t> number(gaps_.size(), none); // of those kept
   for (std::size_t g = 0; g < gaps_.size(); ++g)
-    if (is_air[g]) {
-      number[g] = static_cast<std::uint32_t>(kept.size());
+    if (is_air[g])
       kept.push_back(gaps_[g]);
-    }
-  for (AirRecess& recess : recesses_)
-    recess.air = number[recess.air];
-  const std::size_t voids = gaps_.size() - kept.size() - recesses_.size();
-  void_area_ = static_cast<double>(voids) * columns_.cellSize() * columns_.cellSize();
+  void_area_ = static_cast<double>(gaps_.size() - kept.size()) * columns_.cellSize() *
+               columns_.cellSize();
   setGaps(std::move(kept));
   linkGaps();
 }

@@ -21,18 +21,11 @@ struct AirGap {
   bool ceiling_seen = true; ///< likewise its high end
 };
 
-/** @brief A low gap that goes on from air, see recessesOf(). */
-struct AirRecess {
-  AirGap gap;
-  std::uint32_t air; ///< number of the gap of that air
-};
-
 /** @brief What is believed of air in buildings; lengths in metres. */
 struct AirParameters {
   double thinnest = 0.15;       ///< lower gaps are noise between two surfaces
   double thinnest_slab = 0.2;   ///< of what is thinner one face was seen
   double headroom = 1.8;        ///< gaps as high as this are air
-  double deepest_reveal = 0.4;  ///< a recess no deeper is of a window or door
   double same_ceiling = 0.15;   ///< a ceiling goes on where it rises by less a cell
   double highest_step = 1.2;    ///< floors farther apart are those of different levels
   double same_surface = 0.2;    ///< a surface goes on where it is no farther off
@@ -142,9 +135,6 @@ public:
    * scan is sparse. 0 for no heights. */
   double occupiedShare(std::uint32_t column, std::int32_t low, std::int32_t high) const;
 
-  /** @brief Low gaps that belong to the room of the air that they go on from. */
-  const std::vector<AirRecess>& recesses() const { return recesses_; }
-
   /** @brief Floor area of gaps that are no air: within slabs, above suspended
    * ceilings; square metres. */
   double voidArea() const { return void_area_; }
@@ -167,7 +157,6 @@ private:
   std::vector<AirGap> gaps_;
   std::vector<std::uint32_t> first_;
   std::vector<Links> links_;
-  std::vector<AirRecess> recesses_;
   double void_area_ = 0;
 };
 

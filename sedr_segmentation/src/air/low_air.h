@@ -15,11 +15,4 @@ namespace pcl::sedr {
  * @return 1 for each gap that is air, else 0. O(gaps) and a minimum cut. */
 std::vector<std::uint8_t> airOf(const AirGaps& gaps);
 
-/** @brief Finds the low gaps that belong to a room: its air goes on into them, as above
- * a kitchen's units, and nothing is above them but what hangs from its ceiling. Those
- * of reveals are shallower. The labelling of airOf() tells how far they go.
- * @param is_air from airOf() */
-std::vector<AirRecess> recessesOf(const AirGaps& gaps,
-                                  const std::vector<std::uint8_t>& is_air);
-
 } // namespace pcl::sedr

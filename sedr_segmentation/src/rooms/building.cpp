@@ -156,38 +156,6 @@ keepRooms(std::vector<BuildingRoom> parts,
   return number;
 }
 
-/** @brief Gives the rooms the recesses of their air, in cells where they have none.
- * @param number of each part of the air among the rooms, or 0 */
-void
-addRecesses(const AirGaps& air,
-            const PartedAir& parted,
-            const std::vector<std::uint32_t>& number,
-            Building& building)
-{
-  const VoxelColumns& columns = air.columns();
-  for (const AirRecess& recess : air.recesses()) {
-    const std::int32_t part = parted.room[recess.air];
-    if (part == PartedAir::no_room || number[static_cast<std::size_t>(part)] == 0)
-      continue;
-    const AirGap& gap = recess.gap;
-    building.rooms[number[static_cast<std::size_t>(part)] - 1].columns.push_back(
-        {columns.cellOf(gap.column), static_cast<float>(columns.heightOf(gap.low)),
-         static_cast<float>(columns.heightOf(gap.high)), gap.floor_seen,
-         gap.ceiling_seen});
-  }
-  for (BuildingRoom& room : building.rooms) {
-    std::stable_sort(room.columns.begin(), room.columns.end(),
-                     [](const RoomColumn& a, const RoomColumn& b) {
-                       return keyOf(a.cell) < keyOf(b.cell);
-                     });
-    const auto end = std::unique(room.columns.begin(), room.columns.end(),
-                                 [](const RoomColumn& a, const RoomColumn& b) {
-                                   return keyOf(a.cell) == keyOf(b.cell);
-                                 });
-    room.columns.erase(end, room.columns.end());
-  }
-}
-
 /** @brief Lists the storeys, and gives each room its storey. */
 void
 listStoreys(double step, Building& building)
@@ -270,7 +238,6 @@ describe(const AirGaps& air,
       judge(air, parted, parts, points, behind, parameters, of_parting);
   const std::vector<std::uint32_t> number =
       keepRooms(std::move(parts), verdicts, building);
-  addRecesses(air, parted, number, building);
   listStoreys(parameters.storey_step, building);
   tellOpenings(parted.openings, number, of_parting, building);
   addFlights(points, indices, fine, building);

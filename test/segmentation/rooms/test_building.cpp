@@ -235,55 +235,6 @@ TEST(FindBuilding, EachFaceOfAThinSlabIsOfTheRoomThatSeesIt)
   EXPECT_EQ(wrong, 0u);
 }
 
-TEST(FindBuilding, AirAboveUnitsBelowABulkheadIsOfTheRoomBeforeThem)
-{
-  AirScene scene;
-  scene.slabs(0.05, 0.05, 4.05, 2.45, 0.01, 2.51);
-  scene.slabs(0.05, 2.45, 4.05, 3.05, 0.91, 1.81); // worktop and bulkhead
-  scene.wall(0.05, 2.45, 4.05, 2.45, 0.01, 0.91);
-  scene.wall(0.05, 2.45, 4.05, 2.45, 1.81, 2.51);
-  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  scene.slab(1.55, 0.95, 2.55, 1.55, 0.76); // a table
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 1u);
-  EXPECT_EQ(found.roomAt(2, 2.75, 1.4), 1u);
-  EXPECT_EQ(found.roomAt(2, 1.25, 1.4), 1u);
-  EXPECT_EQ(found.roomAt(2, 1.25, 0.4), 0u) << "below the table";
-  EXPECT_NEAR(found.building.rooms[0].area, 4 * 2.4, 0.9) << "without recesses";
-  for (int i = 0; i < static_cast<int>(scene.points.size()); ++i) {
-    const Eigen::Vector3f& p = scene.points[i];
-    if (p.x() > 0.3F && p.x() < 3.8F && p.y() > 2.6F && p.y() < 2.9F) {
-      const std::uint32_t label = found.building.label_of[static_cast<std::size_t>(i)];
-      EXPECT_EQ(label, p.z() > 1.5F ? 1u : 2u) << p.transpose();
-    }
-  }
-}
-
-TEST(FindBuilding, AHatchBetweenTwoRoomsIsNoWayFromOneToTheOther)
-{
-  AirScene scene;
-  for (const auto& [x0, x1] : {std::pair(0.05, 4.05), std::pair(4.35, 7.35)}) {
-    scene.slabs(x0, 0.05, x1, 3.05, 0.01, 2.51);
-    for (const double y : {0.05, 3.05})
-      scene.wall(x0, y, x1, y, 0.01, 2.51);
-  }
-  for (const double x : {0.05, 7.35})
-    scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
-  for (const double x : {4.05, 4.35}) {
-    scene.wall(x, 0.05, x, 1.05, 0.01, 2.51);
-    scene.wall(x, 1.95, x, 3.05, 0.01, 2.51);
-    scene.wall(x, 1.05, x, 1.95, 0.01, 0.91);
-    scene.wall(x, 1.05, x, 1.95, 1.91, 2.51);
-  }
-  scene.slabs(4.05, 1.05, 4.35, 1.95, 0.91, 1.91);
-  for (const double y : {1.05, 1.95})
-    scene.wall(4.05, y, 4.35, y, 0.91, 1.91);
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 2u);
-  EXPECT_TRUE(found.building.links.empty());
-  EXPECT_EQ(found.roomAt(4.2, 1.5, 1.4), 0u) << "it is as shallow as a reveal";
-}
-
 TEST(FindBuilding, ASparseScanGetsLargerColumns)
 {
   for (const double spacing : {0.05, 0.15, 0.3}) {
