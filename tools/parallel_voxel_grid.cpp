@@ -24,7 +24,7 @@ struct Settings : StageFiles {
   float leaf = 0;
   unsigned int minimum_points = 0;
   bool keep_strays = false;
-  bool in_frame = false;
+  bool scan_axes = false;
 };
 
 /** @brief Returns the frame of the building, found from an excerpt of a scan. */
@@ -64,13 +64,13 @@ compute(const Settings& settings, const ScanFile& scan)
   grid.setMinimumPointsNumberPerVoxel(settings.minimum_points);
   grid.setRemoveStrays(!settings.keep_strays);
   pcl::PCLPointCloud2 thinned;
-  if (settings.in_frame) {
+  if (settings.scan_axes)
+    grid.filter(scan, thinned);
+  else {
     const BuildingFrame frame = frameOf(settings, scan);
     grid.filter(MovedRows(scan, frame, 0, true), thinned);
     move(frame.to(BuildingFrame()), thinned);
   }
-  else
-    grid.filter(scan, thinned);
   throwProblem(grid.getErrorMessage());
   return thinned;
 }
@@ -122,8 +122,9 @@ main(int argc, char** argv)
   options.flag("keep-strays", settings.keep_strays,
                "keep voxels that points scattered in the air explain");
   options.flag(
-      "building-frame", settings.in_frame,
-      "lay the voxels along axes of the building's own, however the scan lies");
+      "scan-axes", settings.scan_axes,
+      "lay the voxels along the axes of the scan as pcl_voxel_grid does, not of "
+      "the building: faster, but they depend on how the scan lies");
   addScanOptions(options, settings.reading);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

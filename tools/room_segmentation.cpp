@@ -24,7 +24,7 @@ using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
 struct Settings : StageFiles {
   std::string building;
   bool trust_up = false;
-  bool in_frame = false;
+  bool scan_axes = false;
 };
 
 void
@@ -33,7 +33,7 @@ segment(const Settings& settings, const ToolCloud& cloud, Segmentation& segmenta
   const Progress progress("parting rooms");
   checkScan(cloud, settings.trust_up);
   segmentation.setInputCloud(cloud.points);
-  segmentation.setInBuildingFrame(settings.in_frame);
+  segmentation.setInBuildingFrame(!settings.scan_axes);
   std::vector<pcl::PointIndices> unused;
   if (!segmentation.segment(unused))
     throw ToolError("'" + cloud.path + "': " + segmentation.getErrorMessage(),
@@ -104,8 +104,10 @@ main(int argc, char** argv)
                     Range::above(0));
   options.text("building", settings.building,
                "JSON file for storeys, links of rooms and stairs");
-  options.flag("building-frame", settings.in_frame,
-               "the points were thinned with this option: part them in that frame");
+  options.flag(
+      "scan-axes", settings.scan_axes,
+      "lay the grid along the axes of the scan, as the points were thinned, not "
+      "of the building");
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");

@@ -5,7 +5,11 @@
 #include "stage_tools.h"
 #include "tool_error.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -144,6 +148,48 @@ TEST_F(StageTools, VoxelGridTakesItsOptions)
   const ToolCloud cloud =
       onPoints(PARALLEL_VOXEL_GRID, points, {"--leaf", "1", "--min-points", "2"});
   EXPECT_EQ(floatField(cloud.blob, "intensity"), (Numbers{2}));
+}
+
+TEST_F(StageTools, ATurnedScanGivesTheSameVoxelsAndRooms)
+{
+  constexpr double turn = 0.5; // radians
+  const RoomScan scan = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}});
+  RoomScan turned = scan;
+  for (auto& p : turned.points)
+    std::tie(p.x, p.y) = std::pair(
+        static_cast<float>(std::cos(turn) * p.x - std::sin(turn) * p.y + 3.007),
+        static_cast<float>(std::sin(turn) * p.x + std::cos(turn) * p.y - 1.013));
+  const auto roomsOf = [&](const RoomScan& points, const Strings& options) {
+    Strings of_grid = options;
+    of_grid.insert(of_grid.end(), {"--leaf", "0.1"});
+    EXPECT_EQ(runOn({PARALLEL_VOXEL_GRID}, points.pcd(false), of_grid).exit_code, 0);
+    std::filesystem::rename(in("output.pcd"), in("input_thinned.pcd"));
+    EXPECT_EQ(
+        runTo(in("output.pcd"), {ROOM_SEGMENTATION}, in("input_thinned.pcd"), options)
+            .exit_code,
+        0);
+    return output();
+  };
+  const auto sameShare = [&](const Strings& options) {
+    const ToolCloud first = roomsOf(scan, options);
+    const ToolCloud second = roomsOf(turned, options);
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < second.points->size(); ++i) {
+      const auto& q = (*second.points)[i];
+      const Eigen::Vector2d moved(q.x - 3.007, q.y + 1.013);
+      const Eigen::Vector2f p = (Eigen::Rotation2Dd(-turn) * moved).cast<float>();
+      for (std::size_t k = 0; k < first.points->size(); ++k)
+        if (const auto& o = (*first.points)[k];
+            first.room[k] == second.room[i] &&
+            (Eigen::Vector3f(p.x(), p.y(), q.z) - o.getVector3fMap()).norm() < 0.005F) {
+          ++same;
+          break;
+        }
+    }
+    return static_cast<double>(same) / static_cast<double>(second.points->size());
+  };
+  EXPECT_GT(sameShare({}), 0.85); // some lie at the ends of voxels
+  EXPECT_LT(sameShare({"--scan-axes"}), 0.6);
 }
 
 TEST_F(StageTools, PlaneDetectionListsPlanesForgetsRoomsAndDoubtsTheAxis)
