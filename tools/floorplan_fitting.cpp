@@ -27,8 +27,8 @@ struct Settings {
   PictureFile picture;
 };
 
-/** @brief Passes the points by label to the fitting, and the rooms if the file has any.
- */
+/** @brief Passes the points by label to the fitting, and rooms and owners if the file
+ * has any. */
 void
 setEvidence(const ToolCloud& cloud, Fitting& fitting)
 {
@@ -39,6 +39,7 @@ setEvidence(const ToolCloud& cloud, Fitting& fitting)
   fitting.setWallIndices(requireLabel(cloud, StructureLabel::Wall));
   if (hasRooms(cloud))
     fitting.setRooms(cloud.room);
+  fitting.setOwners(ownersOf(cloud));
 }
 
 void

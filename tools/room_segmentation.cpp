@@ -40,6 +40,17 @@ segment(const Settings& settings, const ToolCloud& cloud, Segmentation& segmenta
                     NothingFound);
 }
 
+/** @brief Returns the room that owns each point; 0 for those that no wall or slab of a
+ * room is near. */
+std::vector<std::uint32_t>
+ownersOf(const Building& building)
+{
+  std::vector<std::uint32_t> owners;
+  for (const pcl::sedr::PointOwner& owner : building.owner_of)
+    owners.push_back(owner.beyond ? 0 : owner.room);
+  return owners;
+}
+
 /** @brief Rounds to millimetres and turns -0 into 0. */
 double
 rounded(double metres)
@@ -74,6 +85,7 @@ run(const Settings& settings, Segmentation& segmentation)
   const Building& building = segmentation.getBuilding();
   setField(cloud.blob, "label", building.label_of);
   setField(cloud.blob, "room", building.room_of);
+  setField(cloud.blob, "owner", ownersOf(building));
   saveCloud(settings.output, cloud);
   if (!settings.building.empty())
     writeWhole(settings.building, buildingToJson(building));

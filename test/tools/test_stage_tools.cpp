@@ -19,6 +19,7 @@ using pcl::sedr::tools::floatField;
 using pcl::sedr::tools::loadBuilding;
 using pcl::sedr::tools::loadCloud;
 using pcl::sedr::tools::ToolCloud;
+using pcl::sedr::tools::wholeField;
 
 using Numbers = std::vector<float>;
 using Whole = std::vector<std::uint32_t>;
@@ -227,6 +228,11 @@ TEST_F(StageTools, RoomSegmentationWritesTheBuilding)
                                                                                     : 0;
   }
   EXPECT_GT(labelled, scan.points.size() / 4);
+  const Whole owners = wholeField(cloud.blob, "owner");
+  for (std::size_t i = 0; i < scan.points.size(); ++i)
+    if (scan.points[i].label == Label::Wall) {
+      ASSERT_EQ(owners[i], scan.points[i].z > 2.65 ? 2u : 1u);
+    }
   EXPECT_LT(elsewhere, labelled / 20) << "rooms by their storeys";
   const pcl::sedr::Building building = loadBuilding(in("building.json"));
   ASSERT_EQ(building.rooms.size(), 2u);

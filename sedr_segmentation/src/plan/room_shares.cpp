@@ -3,7 +3,7 @@
 
 #include "../air/height_counts.h"
 #include "../faces/room_cells.h"
-#include "room_gaps.h"
+#include "../rooms/room_gaps.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reflections.h"
 #include "room_description.h"
+#include "room_gaps.h"
 #include "room_points.h"
 
 #include "../scan/scan_excerpt.h"
@@ -251,6 +252,10 @@ describe(const AirGaps& air,
   if (building.rooms.empty())
     return building;
   labelSheets(points, indices, fine, air.columns(), parameters.threads, building);
+  const CellGrid cells(parameters.cell_size);
+  building.owner_of =
+      RoomGaps(cells, gapsOf(building, points, cells), parameters.priors)
+          .ownersOf(points, parameters.threads);
   return building;
 }
 

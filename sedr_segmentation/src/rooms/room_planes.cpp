@@ -67,6 +67,19 @@ pointsOn(const PointView& points,
   return on;
 }
 
+std::vector<Eigen::Vector2d>
+partsOf(Cell cell, const CellGrid& coarse, const CellGrid& fine)
+{
+  const int parts =
+      std::max(1, static_cast<int>(std::lround(coarse.size() / fine.size())));
+  std::vector<Eigen::Vector2d> places;
+  for (int part = 0; part < parts * parts; ++part)
+    places.push_back(coarse.centre(cell) +
+                     fine.size() * Eigen::Vector2d(part % parts - (parts - 1) / 2.0,
+                                                   part / parts - (parts - 1) / 2.0));
+  return places;
+}
+
 std::vector<Eigen::Vector3f>
 hiddenCeiling(const std::vector<RoomColumn>& columns,
               const CellGrid& coarse,
@@ -75,17 +88,11 @@ hiddenCeiling(const std::vector<RoomColumn>& columns,
               const PlanSlab& plane)
 {
   constexpr double same = 0.2; // metres between the main plane and the height inferred
-  const int parts =
-      std::max(1, static_cast<int>(std::lround(coarse.size() / grid.size())));
   std::vector<Eigen::Vector3f> hidden;
   for (const RoomColumn& column : columns) {
     if (column.ceiling_seen)
       continue;
-    for (int part = 0; part < parts * parts; ++part) {
-      const Eigen::Vector2d place =
-          coarse.centre(column.cell) +
-          grid.size() * Eigen::Vector2d(part % parts - (parts - 1) / 2.0,
-                                        part / parts - (parts - 1) / 2.0);
+    for (const Eigen::Vector2d& place : partsOf(column.cell, coarse, grid)) {
       if (seen.contains(grid.at(place.x(), place.y())))
         continue;
       const double of_plane = plane.heightAt(place);

@@ -49,6 +49,10 @@ std::vector<int> pointsOn(const PointView& points,
                           const PlanSlab& plane,
                           double tolerance);
 
+/** @brief Returns the middles of the parts of a cell, cells of a finer grid. */
+std::vector<Eigen::Vector2d>
+partsOf(Cell cell, const CellGrid& coarse, const CellGrid& fine);
+
 /** @brief Returns the hidden cells of the ceiling of a room: a place for each cell of
  * `grid` which air reaches, but in which nothing of it was seen. Where it may go on in
  * the main plane it does.

@@ -6,17 +6,13 @@
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include "sedr_filters/src/walls/tilted_walls.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
-#include "sedr_segmentation/src/plan/room_gaps.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <optional>
-#include <unordered_map>
 
 namespace pcl::sedr {
 
@@ -30,6 +26,10 @@ roomsOf(const Building& building)
       const bool is_ceiling = building.label_of[i] == valueOf(StructureLabel::Ceiling);
       (is_ceiling ? room.ceiling : room.floor).push_back(static_cast<int>(i));
     }
+  for (std::size_t i = 0; i < building.owner_of.size(); ++i)
+    if (const PointOwner& owner = building.owner_of[i];
+        owner.room != 0 && !owner.beyond)
+      rooms[owner.room - 1].owned.push_back(static_cast<int>(i));
   return rooms;
 }
 
@@ -47,78 +47,6 @@ findCeilings(const ScannedBuilding& scan, std::vector<ChainRoom>& rooms)
                                         seen, room.ceiling_slab);
     room.scope = unite(seen, cellsOf(scan.grid, room.hidden.ceiling));
   });
-}
-
-namespace {
-
-/** @brief Returns the height of the floor of a room by its profiles. Beside a wall
- * there are none: as at that which is nearest. */
-float
-floorAt(const std::unordered_map<CellKey, float>& floors,
-        const CellGrid& grid,
-        const Eigen::Vector2d& at,
-        double usual)
-{
-  const Cell middle = grid.at(at.x(), at.y());
-  const auto here = floors.find(keyOf(middle));
-  if (here != floors.end())
-    return here->second;
-  auto floor = static_cast<float>(usual);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int y = middle.y - 1; y <= middle.y + 1; ++y)
-    for (int x = middle.x - 1; x <= middle.x + 1; ++x)
-      if (const auto beside = floors.find(keyOf({x, y})); beside != floors.end())
-        if (const double off = (grid.centre({x, y}) - at).norm(); off < nearest) {
-          nearest = off;
-          floor = beside->second;
-        }
-  return floor;
-}
-
-/** @brief Appends the gaps of a room, from its ceiling, seen or hidden, down to its
- * floor. */
-void
-addGaps(const ScannedBuilding& scan,
-        const ChainRoom& room,
-        const BuildingRoom& found,
-        std::vector<RoomGap>& all)
-{
-  std::map<CellKey, RoomGap> gaps;
-  const auto add = [&](const Eigen::Vector3f& p) {
-    const Cell cell = scan.grid.at(p.x(), p.y());
-    RoomGap& gap = gaps.try_emplace(keyOf(cell), RoomGap{cell, found.id, 0, p.z(), 0})
-                       .first->second;
-    gap.high = std::max(gap.high, p.z());
-  };
-  for (const int i : room.ceiling)
-    add(scan.points[static_cast<std::size_t>(i)]);
-  for (const Eigen::Vector3f& place : room.hidden.ceiling)
-    add(place);
-  std::unordered_map<CellKey, float> floors;
-  for (const RoomColumn& column : found.columns)
-    floors[keyOf(column.cell)] = column.floor;
-  for (auto& [key, gap] : gaps) {
-    gap.low =
-        floorAt(floors, scan.building.grid, scan.grid.centre(gap.cell), found.floor);
-    gap.lowest = std::min(gap.low, static_cast<float>(found.floor));
-    all.push_back(gap);
-  }
-}
-
-} // namespace
-
-std::vector<PointOwner>
-findOwners(const ScannedBuilding& scan, std::vector<ChainRoom>& rooms)
-{
-  std::vector<RoomGap> gaps;
-  for (std::size_t r = 0; r < rooms.size(); ++r)
-    addGaps(scan, rooms[r], scan.building.rooms[r], gaps);
-  std::vector<PointOwner> owners =
-      RoomGaps(scan.grid, gaps, scan.priors).ownersOf(scan.points, scan.planes.threads);
-  for (std::size_t i = 0; i < owners.size(); ++i)
-    if (owners[i].room != 0 && !owners[i].beyond)
-      rooms[owners[i].room - 1].owned.push_back(static_cast<int>(i));
-  return owners;
 }
 
 void

@@ -83,6 +83,9 @@ ChainRun::partRooms(StageReport& report)
     if (room.enclosure < stages.floorplan_fitting.getPriors().share_clear)
       model.warnings.push_back({WarningKind::Open, {room.unseen_outline}, room.id});
   rooms = roomsOf(building);
+  std::transform(building.owner_of.begin(), building.owner_of.end(),
+                 model.owners.begin(),
+                 [](const PointOwner& owner) { return owner.beyond ? 0 : owner.room; });
   for (const ChainRoom& room : rooms)
     report.points_out += room.ceiling.size() + room.floor.size();
   return {};
@@ -113,9 +116,6 @@ ChainRun::findPlanes(StageReport& report)
                               stages.floorplan_fitting.getSeed(),
                               stages.room_segmentation.getNumberOfThreads()}};
   findCeilings(scan, rooms);
-  owners = findOwners(scan, rooms);
-  std::transform(owners.begin(), owners.end(), model.owners.begin(),
-                 [](const PointOwner& owner) { return owner.beyond ? 0 : owner.room; });
   findFloors(scan, rooms);
   labelSlabs(rooms, scan.grid, model);
   for (std::size_t r = 0; r < rooms.size(); ++r) {
@@ -150,7 +150,7 @@ ChainRun::fitPlan(StageReport& report)
   for (std::size_t r = 0; r < rooms.size(); ++r)
     hidden[static_cast<std::uint32_t>(r + 1)] = rooms[r].hidden;
   fitting.setHiddenCells(std::move(hidden));
-  fitting.setOwners(owners);
+  fitting.setOwners(stages.room_segmentation.getBuilding().owner_of);
   if (!fitting.segment(*model.plan))
     return fitting.getErrorMessage();
   append(fitting.getWarnings(), model.warnings);
@@ -175,7 +175,8 @@ ChainRun::findOpenings(StageReport& report)
           has_raw ? stages.floorplan_fitting.getRawIndices() : nullptr, *model.plan))
     return stages.opening_detection.getErrorMessage();
   numberOpenings(*model.plan);
-  labelNiches(owners, stages.refinement.getMaximumDistance(), model);
+  labelNiches(stages.room_segmentation.getBuilding().owner_of,
+              stages.refinement.getMaximumDistance(), model);
   const Building& building = stages.room_segmentation.getBuilding();
   append(linksWithoutOpening(building, *model.plan), model.warnings);
   append(unexplainedSurfaces(thinned, building, *model.plan,

@@ -31,15 +31,12 @@ struct ScannedBuilding {
   RoomPlaneParameters planes;
 };
 
-/** @brief Returns the rooms of a building with the points of ceilings and floors. */
+/** @brief Returns the rooms of a building with the points of ceilings and floors, and
+ * those that they own. */
 std::vector<ChainRoom> roomsOf(const Building& building);
 
 /** @brief Finds the main planes of the rooms, and the cells of their ceilings. */
 void findCeilings(const ScannedBuilding& scan, std::vector<ChainRoom>& rooms);
-
-/** @brief Finds the owner of each point. */
-std::vector<PointOwner> findOwners(const ScannedBuilding& scan,
-                                   std::vector<ChainRoom>& rooms);
 
 /** @brief Restricts the floors to what is no furniture; the rest of what is below the
  * ceiling of a room are its hidden cells. */
@@ -116,13 +113,12 @@ struct ChainRun {
   double plane_tolerance = 0.07; ///< metres
   bool may_be_in_feet = false;   ///< the scan
   std::vector<ChainRoom> rooms{};
-  std::vector<PointOwner> owners{}; ///< of the points
   std::vector<StructureModel::StructureCloud::Ptr>
       refined{}; ///< until repaired, by room
 
   std::string partRooms(StageReport& report);
 
-  /** @brief Finds planes, cells, floors and owners of the rooms. The cells are enlarged
+  /** @brief Finds planes, cells and floors of the rooms. The cells are enlarged
    * if the scan is sparse. */
   std::string findPlanes(StageReport& report);
   std::string findWalls(StageReport& report);

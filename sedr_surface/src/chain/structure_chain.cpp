@@ -70,6 +70,7 @@ void
 StructureChain::setPriors(const Priors& priors)
 {
   stages_.room_segmentation.setHeadroom(priors.min_headroom);
+  stages_.room_segmentation.setPriors(priors);
   stages_.floorplan_fitting.setPriors(priors);
   stages_.opening_detection.setPriors(priors);
 }

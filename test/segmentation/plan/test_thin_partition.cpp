@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/plan/room_gaps.h"
+#include "sedr_segmentation/src/rooms/room_gaps.h"
 
 #include "room_points.h"
 #include "sedr_filters/src/grids/cell_set.h"

@@ -71,6 +71,16 @@ storeLabels(ToolCloud& cloud)
     setField(cloud.blob, "room", cloud.room);
 }
 
+std::vector<PointOwner>
+ownersOf(const ToolCloud& cloud)
+{
+  std::vector<PointOwner> owners;
+  if (hasRooms(cloud))
+    for (const std::uint32_t room : wholeField(cloud.blob, "owner"))
+      owners.push_back({room, false});
+  return owners;
+}
+
 std::vector<LabelledRoom>
 labelledRooms(const ToolCloud& cloud, double grid_size)
 {
@@ -83,6 +93,7 @@ labelledRooms(const ToolCloud& cloud, double grid_size)
   evidence.details = cloud.withLabel(StructureLabel::Detail);
   if (has_rooms)
     evidence.room = cloud.room;
+  evidence.owners = ownersOf(cloud);
   const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
   RoomFitParameters parameters;
   parameters.cell_size = grid_size;

@@ -22,6 +22,10 @@ double meanFloorHeight(const ToolCloud& cloud);
 /** @brief Returns whether rows with a label have room numbers. */
 bool hasRooms(const ToolCloud& cloud, StructureLabel label = StructureLabel::Ceiling);
 
+/** @brief Returns the owners of the rows by the field `owner` of pcl_room_segmentation;
+ * none if the file has no such field, or no rooms. */
+std::vector<PointOwner> ownersOf(const ToolCloud& cloud);
+
 /** @brief Gives rows a label and a room. */
 void setLabel(const pcl::Indices& rows,
               StructureLabel label,

@@ -73,6 +73,12 @@ struct RoomLink {
   double height() const { return top - bottom; }
 };
 
+/** @brief The owner of a point: the room whose air the surface there bounds. */
+struct PointOwner {
+  std::uint32_t room = 0; ///< number of the room, 0: none
+  bool beyond = false;    ///< farther away than walls are: seen behind one
+};
+
 /** @brief A building: rooms, storeys, links and stairs of a scan, see RoomSegmentation.
  */
 struct Building {
@@ -89,6 +95,10 @@ struct Building {
    * floor (2) or neither (0), see StructureLabel. */
   std::vector<std::uint32_t> room_of;
   std::vector<std::uint32_t> label_of;
+
+  /** @brief Owner of every point of the scan: that of the gap nearest in space with no
+   * other between. */
+  std::vector<PointOwner> owner_of;
 };
 
 /** @brief Adds to a plan the storeys and stairs of a building, for the rooms in the

@@ -8,6 +8,7 @@
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_segmentation/building.h>
 
 #include <pcl/pcl_base.h>
 
@@ -53,12 +54,6 @@ struct RoomFitParameters {
 struct HiddenCells {
   std::vector<Eigen::Vector3f> ceiling;
   std::vector<Eigen::Vector3f> floor;
-};
-
-/** @brief The owner of a point: the room whose air the surface there bounds. */
-struct PointOwner {
-  std::uint32_t room = 0; ///< number of the room, 0: none
-  bool beyond = false;    ///< farther away than walls are: seen behind one
 };
 
 /** @brief Noise of the walls of rooms that share heights, measured along straight

@@ -62,6 +62,10 @@ public:
   void setInBuildingFrame(bool is_in_frame) { parameters_.own_frame = is_in_frame; }
   bool getInBuildingFrame() const { return parameters_.own_frame; }
 
+  /** @brief Sets the priors, for the reach within which a room owns points. */
+  void setPriors(const sedr::Priors& priors) { parameters_.priors = priors; }
+  const sedr::Priors& getPriors() const { return parameters_.priors; }
+
   /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }

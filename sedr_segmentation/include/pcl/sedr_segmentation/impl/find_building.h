@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_segmentation/building.h>
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct BuildingParameters {
   double minimum_enclosure = 0.15; ///< share of a room's outline with walls
   double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
   bool own_frame = false;   ///< whether the grid lies in that of findBuildingFrame()
+  Priors priors;            ///< for the owners of points
   unsigned threads = 0;     ///< 0: all processors
 };
 

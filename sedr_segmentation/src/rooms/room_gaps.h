@@ -4,7 +4,7 @@
 #include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/building.h>
 
 #include <array>
 #include <cstdint>
@@ -79,5 +79,12 @@ private:
   std::vector<Span> spans_;
   std::vector<Cell> cells_; ///< of the spans
 };
+
+/** @brief Returns the gaps of all rooms of a building, a cell of `grid` each: from the
+ * ceiling, or where it was hidden the end of the profile there, down to the floor of
+ * the profile, beside a wall of the nearest one.
+ * @param building with the labels of the points */
+std::vector<RoomGap>
+gapsOf(const Building& building, const PointView& points, const CellGrid& grid);
 
 } // namespace pcl::sedr

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_gaps.h"
 
+#include "room_planes.h"
+
+#include "sedr_filters/src/base/exactness.h"
+#include "sedr_filters/src/base/labels.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/cell_count.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace pcl::sedr {
 
@@ -139,6 +144,67 @@ RoomGaps::ownersOf(const PointView& points, unsigned threads) const
   parallelFor(points.size(), points_a_block, threads,
               [&](std::size_t i) { owners[i] = ownerOf(points[i]); });
   return owners;
+}
+
+namespace {
+
+/** @brief Returns the height of the floor of a room by its profiles. Beside a wall
+ * there are none: as at that which is nearest. */
+float
+floorAt(const std::unordered_map<CellKey, float>& floors,
+        const CellGrid& grid,
+        const Eigen::Vector2d& at,
+        double usual)
+{
+  const Cell middle = grid.at(at.x(), at.y());
+  const auto here = floors.find(keyOf(middle));
+  if (here != floors.end())
+    return here->second;
+  auto floor = static_cast<float>(usual);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int y = middle.y - 1; y <= middle.y + 1; ++y)
+    for (int x = middle.x - 1; x <= middle.x + 1; ++x)
+      if (const auto beside = floors.find(keyOf({x, y})); beside != floors.end())
+        if (const double off = (grid.centre({x, y}) - at).norm(); off < nearest) {
+          nearest = off;
+          floor = beside->second;
+        }
+  return floor;
+}
+
+} // namespace
+
+std::vector<RoomGap>
+gapsOf(const Building& building, const PointView& points, const CellGrid& grid)
+{
+  std::vector<std::map<CellKey, float>> tops(building.rooms.size());
+  for (std::size_t i = 0; i < building.room_of.size(); ++i)
+    if (building.room_of[i] != 0 &&
+        building.label_of[i] == valueOf(StructureLabel::Ceiling)) {
+      const Eigen::Vector3f p = points[i];
+      float& top = tops[building.room_of[i] - 1]
+                       .try_emplace(keyOf(grid.at(p.x(), p.y())), p.z())
+                       .first->second;
+      top = std::max(top, p.z());
+    }
+  std::vector<RoomGap> gaps;
+  for (std::size_t r = 0; r < building.rooms.size(); ++r) {
+    const BuildingRoom& room = building.rooms[r];
+    std::unordered_map<CellKey, float> floors;
+    for (const RoomColumn& column : room.columns) {
+      floors[keyOf(column.cell)] = column.floor;
+      if (!column.ceiling_seen)
+        for (const Eigen::Vector2d& place : partsOf(column.cell, building.grid, grid))
+          tops[r].try_emplace(keyOf(grid.at(place.x(), place.y())), column.ceiling);
+    }
+    for (const auto& [key, top] : tops[r]) {
+      const Cell cell = cellOf(key);
+      const float low = floorAt(floors, building.grid, grid.centre(cell), room.floor);
+      gaps.push_back(
+          {cell, room.id, low, top, std::min(low, static_cast<float>(room.floor))});
+    }
+  }
+  return gaps;
 }
 
 } // namespace pcl::sedr
