@@ -221,10 +221,14 @@ bridgeTouching(std::vector<Piece>& pieces,
   }
 }
 
+/** @brief Returns the loop of pieces.
+ * @param keep_arcs false: each piece of an arc stays a segment, so that the loop
+ * crosses itself as little as its pieces do */
 PlanLoop
 loopOf(std::vector<Piece> pieces,
        const std::vector<PlanCurve>& curves,
-       const PlaceNumbers& places)
+       const PlaceNumbers& places,
+       bool keep_arcs)
 {
   std::size_t first = 0; // where a curve begins
   while (first < pieces.size() &&
@@ -237,8 +241,14 @@ loopOf(std::vector<Piece> pieces,
   for (auto i = pieces.cbegin(), j = i; i != pieces.cend(); i = j) {
     j = std::find_if(i, pieces.cend(),
                      [&](const Piece& piece) { return piece.line != i->line; });
-    loop.elements.push_back(elementOf(i, j, curves[i->line], places));
+    if (keep_arcs || !curves[i->line].isCircle())
+      loop.elements.push_back(elementOf(i, j, curves[i->line], places));
+    else
+      for (auto k = i; k != j; ++k)
+        loop.elements.push_back(elementOf(k, std::next(k), PlanCurve(), places));
   }
+  if (!keep_arcs)
+    return loop;
   closeArcs(loop);
   if (loop.elements.size() == 1 &&
       2 * std::abs(areaOf(pieces, places)) < std::abs(loop.area()))
@@ -252,13 +262,17 @@ planLoop(const std::vector<Piece>& pieces,
          const std::vector<PlanCurve>& curves,
          const PlaceNumbers& places)
 {
+  const auto isOutline = [](const PlanLoop& loop) {
+    return outlineProblem(loop.area() < 0 ? reversed(loop) : loop).empty();
+  };
   std::vector<Piece> bridged = pieces;
   bridgeTouching(bridged, curves, places);
-  PlanLoop loop = loopOf(std::move(bridged), curves, places);
-  const bool is_hole = loop.area() < 0;
-  return outlineProblem(is_hole ? reversed(loop) : loop).empty()
+  PlanLoop loop = loopOf(std::move(bridged), curves, places, true);
+  if (!isOutline(loop))
+    loop = loopOf(pieces, curves, places, true);
+  return loop.elements.empty() || isOutline(loop)
              ? loop
-             : loopOf(pieces, curves, places);
+             : loopOf(pieces, curves, places, false);
 }
 
 } // namespace

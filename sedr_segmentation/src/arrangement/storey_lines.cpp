@@ -46,28 +46,38 @@ appendEdges(std::vector<StoreyLine>& lines)
         }
         continue;
       }
-      StoreyLine edge;
-      edge.is_end = true;
-      edge.curve.point = p;
-      edge.curve.direction = leftOf(way);
-      edge.from = -reach;
-      edge.to = reach;
-      edge.near = line.near;
-      const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
-      edge.any.assign(bins, 0);
-      edge.tall = edge.any;
-      edge.between.assign(bins, StoreyLine::Between::Nothing);
-      for (std::size_t i = 0; i < bins; ++i) // sides of pilasters may be too short
-        if (std::abs((static_cast<double>(i) + 0.5) * StoreyLine::bin - reach) <
-            shortest)
-          edge.between[i] = StoreyLine::Between::Beyond;
-      lines.push_back(std::move(edge));
+      // Sides of pilasters may be too short.
+      lines.push_back(endLine(p, leftOf(way), reach, shortest, line.near));
       ends.emplace_back(p);
     }
   }
 }
 
 } // namespace
+
+StoreyLine
+endLine(const Eigen::Vector2d& middle,
+        const Eigen::Vector2d& direction,
+        double reach,
+        double beyond,
+        double near)
+{
+  StoreyLine line;
+  line.is_end = true;
+  line.curve.point = middle;
+  line.curve.direction = direction;
+  line.from = -reach;
+  line.to = reach;
+  line.near = near;
+  const auto bins = static_cast<std::size_t>(2 * reach / StoreyLine::bin) + 2;
+  line.any.assign(bins, 0);
+  line.tall = line.any;
+  line.between.assign(bins, StoreyLine::Between::Nothing);
+  for (std::size_t i = 0; i < bins; ++i)
+    if (std::abs((static_cast<double>(i) + 0.5) * StoreyLine::bin - reach) < beyond)
+      line.between[i] = StoreyLine::Between::Beyond;
+  return line;
+}
 
 StoreyLines
 storeyLines(const StoreyEvidence& storey)

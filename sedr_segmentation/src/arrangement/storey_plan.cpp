@@ -2,6 +2,7 @@
 #include "storey_plan.h"
 
 #include "../labelling/minimum_cut.h"
+#include "air_bounds.h"
 #include "label_loops.h"
 
 #include <algorithm>
@@ -327,15 +328,21 @@ labelStorey(const StoreyEvidence& evidence,
 {
   if (evidence.storey.rooms.empty())
     return;
-  const StoreyLines found = storeyLines(evidence);
-  const std::vector<StoreyLine>& lines = found.lines;
+  StoreyLines found = storeyLines(evidence);
+  std::vector<StoreyLine>& lines = found.lines;
   Eigen::AlignedBox2d box;
   for (const std::size_t r : evidence.storey.rooms) {
     box.extend(evidence.grid.centre(evidence.cells[r].seen.box().low));
     box.extend(evidence.grid.centre(evidence.cells[r].seen.box().high));
   }
   std::vector<std::size_t> line_of;
-  const PlanCells arrangement(box, dividersOf(lines, line_of));
+  PlanCells arrangement(box, dividersOf(lines, line_of));
+  const std::vector<StoreyLine> bounds = airBounds(evidence, lines, arrangement);
+  if (!bounds.empty()) {
+    lines.insert(lines.end(), bounds.begin(), bounds.end());
+    line_of.clear();
+    arrangement = PlanCells(box, dividersOf(lines, line_of));
+  }
   std::vector<CellBorder> borders = arrangement.borders();
   nameBorders(lines, line_of, borders);
   const StoreyCosts costs(evidence, energy, found, arrangement, borders);

@@ -167,6 +167,34 @@ TEST(FitPlan, ACorridorGoesOnWhereItsCeilingWasHardlySeen)
   EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4u);
 }
 
+/** Of one wall nothing was seen; the lines of fins at the opposite one part the room.
+ */
+TEST(FitPlan, AFacadeOfGlassIsWhereTheCeilingEnds)
+{
+  std::vector<Eigen::Vector2d> corners{{0.01, 8.01}, {0.01, 0.01}};
+  for (const double x : {6.01, 14.01})
+    for (const auto& [dx, y] : {std::pair(0.0, 0.01), std::pair(0.0, 3.01),
+                                std::pair(0.2, 3.01), std::pair(0.2, 0.01)})
+      corners.emplace_back(x + dx, y);
+  corners.insert(corners.end(), {{20.01, 0.01}, {20.01, 8.01}});
+  const PlanLoop hall = polygon(corners);
+  RoomPoints points(0.05, 0.003);
+  RoomParts parts;
+  parts.floor = points.slab(hall, 0);
+  parts.ceiling = points.slab(hall, 2.5);
+  for (const PlanElement& wall : hall.elements)
+    if ((wall.start + wall.end).y() < 16)
+      parts.walls = joined(parts.walls, points.wall(wall, 0, 2.5));
+  PlanEvidence evidence;
+  addRoom(points, parts, 1, evidence);
+  std::vector<PlanWarning> warnings;
+  const Floorplan plan = planOf(points, evidence, &warnings);
+  ASSERT_EQ(plan.rooms.size(), 1u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, hall), 0.03);
+  for (const PlanWarning& warning : warnings)
+    EXPECT_NE(warning.kind, WarningKind::CeilingApart) << sentenceOf(warning);
+}
+
 TEST(FitPlan, AWallHiddenAlongAMetreGoesOnInItsLine)
 {
   TwoRooms scene;
