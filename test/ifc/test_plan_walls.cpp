@@ -3,9 +3,15 @@
 #include "sedr_filters/src/walls/plan_walls.h"
 
 #include <gtest/gtest.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -216,6 +222,136 @@ TEST(PlanWalls, AnOpeningShowsThatFacesFarApartAreOneWall)
   EXPECT_NEAR(pairs[0].thickness, 0.8, 1e-9);
   plan.openings[0].rooms = {0, 1};
   EXPECT_TRUE(pairsOf(findWalls(plan)).empty()) << "it leads elsewhere";
+}
+
+// Heights, areas and volumes of walls in closed form.
+
+TEST(IfcWalls, ANetVolumeIsWithoutNichesAndOverlapsCountOnce)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  plan.rooms[0].niches = {{rectangle(0.2, -0.1, 0.7, 0), slabAt(1), slabAt(2)}};
+  for (const double at : {0.0, 0.5})
+    plan.openings.push_back(
+        {OpeningKind::Window, {1, 0}, {}, {1 + at, 0}, {2 + at, 0}, 1 + at, 2 + at});
+  const WallRow wall = writeIfc(plan).schedules.walls.at(0);
+  const double open = 2 - 0.5 * 0.5;
+  const double gross = (4 + 0.2) * 0.2 * 2.5; // with two halves of mitres
+  EXPECT_NEAR(wall.net_area, 4 * 2.5 - open, 1e-6);
+  EXPECT_NEAR(wall.gross_volume, gross, 1e-6);
+  EXPECT_NEAR(wall.net_volume, gross - open * 0.2 - 0.5 * 1 * 0.1, 1e-6);
+}
+
+TEST(IfcWalls, AnAreaIsFromFloorToCeilingAlongTheWallAndABodyStandsOnItsFloor)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5)}};
+  const auto wall = [&](std::size_t k) { return writeIfc(plan).schedules.walls.at(k); };
+  plan.rooms[0].floor_details = {detailOf(rectangle(1, 0, 1.6, 1), -1)}; // a pit
+  EXPECT_NEAR(wall(0).height, 2.5, 1e-6);
+  EXPECT_NEAR(wall(0).gross_area, 6 * 2.5 + 0.6 * 1, 0.03);
+  plan.rooms[0].floor_details = {detailOf(rectangle(2, 0, 6, 1), 0.3)}; // a stage
+  EXPECT_NEAR(wall(0).height, 2.2, 1e-6);
+  EXPECT_NEAR(wall(0).gross_area, 2 * 2.5 + 4 * 2.2, 0.01);
+  plan.rooms[0].floor_details.clear();
+  plan.rooms[0].details = {detailOf(rectangle(1, 0, 4, 1), 3)}; // a coffer
+  EXPECT_NEAR(wall(0).gross_area, 6 * 2.5 + 3 * 0.5, 0.01);
+  plan.rooms[0].details.clear();
+  SlabCurve barrel; // springs from this wall
+  barrel.centre = {0, 2};
+  barrel.base = barrel.across = barrel.up = 2;
+  plan.rooms[0].ceiling.curve = std::make_shared<const SlabCurve>(barrel);
+  EXPECT_NEAR(wall(0).height, 2, 0.001);
+  EXPECT_NEAR(wall(0).gross_area, 6 * 2, 0.01);
+}
+
+TEST(IfcWalls, AWallOfAHallEndsAtTheWallsOfRoomsAboveTheOneBehind)
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 6, 4), 8), roomOf(rectangle(6.2, 0, 12, 4), 2.4, 2),
+       roomOf(rectangle(6.2, 0, 12, 4), 5, 3), roomOf(rectangle(6.2, 0, 12, 4), 8, 4)}};
+  plan.rooms[2].floor = slabAt(2.7);
+  plan.rooms[3].floor = slabAt(5.3);
+  std::map<std::string, double> heights;
+  for (const WallRow& row : writeIfc(plan).schedules.walls)
+    heights[row.number] = row.height;
+  EXPECT_NEAR(heights["1.2"], 2.7, 1e-6); // that of rooms 1 and 2
+  EXPECT_NEAR(heights["3.4"], 2.3, 1e-6);
+  EXPECT_NEAR(heights["4.4"], 2.7, 1e-6);
+  std::swap(plan.rooms[0].id, plan.rooms[1].id); // and found from the other side
+  std::swap(plan.rooms[0], plan.rooms[1]);
+  double paired = 0;
+  for (const WallRow& row : writeIfc(plan).schedules.walls)
+    paired = std::max(paired, row.other.empty() ? 0 : row.height);
+  EXPECT_NEAR(paired, 2.7, 1e-6);
+}
+
+TEST(IfcWalls, AnOpeningIsCutInTheWallsWhereItIs)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5),
+                  roomOf(rectangle(6.2, 0, 12, 4), 2.5, 2),
+                  roomOf(rectangle(0, 4.2, 6, 8), 2.5, 3)}};
+  plan.openings = {{OpeningKind::Door, {1, 3}, {}, {6.1, 1}, {6.1, 2}, 0, 2}};
+  std::size_t cut = 0;
+  for (const WallRow& row : writeIfc(plan).schedules.walls)
+    if (row.gross_area - row.net_area > 1e-3) {
+      ++cut;
+      EXPECT_NEAR(row.gross_area - row.net_area, 2, 1e-3) << row.number;
+      EXPECT_TRUE(row.number == "1.2" || row.number == "2.4") << row.number;
+    }
+  EXPECT_GT(cut, 0u);
+}
+
+/** What is between two circles about one centre and two lines at +-w / 2 from it. */
+double
+areaBetween(double inner, double outer, double width)
+{
+  const auto below = [x = width / 2](double r) {
+    return x * std::sqrt(r * r - x * x) + r * r * std::asin(x / r);
+  };
+  return below(outer) - below(inner);
+}
+
+TEST(IfcWalls, AnOpeningInACurvedWallIsAsWideAllThroughWhereverItIs)
+{
+  constexpr double width = 0.6;
+  constexpr double height = 1.1;
+  struct Round {
+    PlanLoop boundary;
+    std::size_t wall;
+    Eigen::Vector2d centre;
+    double inner, outer;
+    std::vector<double> degrees;
+  };
+  const std::vector<Round> rounds{
+      {circle({1, 2}, 4), 0, {1, 2}, 4, 4.2, {0, 45, 90, 135, 180, 184, 270}},
+      {stadium(4, 2), 1, {4, 0}, 2, 2.2, {-70, -45, 0, 45, 70}},
+      {bittenRectangle(8, 5, 2), 1, {4, 0}, 1.8, 2, {20, 90, 160}}};
+  for (const Round& round : rounds)
+    for (const double degrees : round.degrees) {
+      const double a = degrees * M_PI / 180;
+      const Eigen::Vector2d out(std::cos(a), std::sin(a));
+      const Eigen::Vector2d half = Eigen::Vector2d(-out.y(), out.x()) * width / 2;
+      const Eigen::Vector2d middle = round.centre + (round.inner + 0.1) * out;
+      Floorplan plan{{roomOf(round.boundary, 2.5)}};
+      plan.openings = {{OpeningKind::Window,
+                        {1, 0},
+                        {},
+                        middle + half,
+                        middle - half,
+                        0.9,
+                        0.9 + height}};
+      const IfcModel model = writeIfc(plan);
+      EXPECT_TRUE(model.warnings.empty());
+      EXPECT_EQ(model.schedules.openings.size(), 1u);
+      const auto wall =
+          std::find_if(model.schedules.walls.begin(), model.schedules.walls.end(),
+                       [&](const WallRow& row) {
+                         return row.number == "1." + std::to_string(round.wall + 1);
+                       });
+      ASSERT_NE(wall, model.schedules.walls.end());
+      const double open = areaBetween(round.inner, round.outer, width) * height;
+      EXPECT_NEAR(wall->gross_volume - wall->net_volume, open, 2e-4) << degrees;
+      EXPECT_NEAR(wall->gross_area - wall->net_area, open / 0.2, 1e-3) << degrees;
+    }
 }
 
 } // namespace

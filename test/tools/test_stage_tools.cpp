@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program of a stage does beyond its class: rooms, options, and what it tells.
 // The results of whole rooms are those of the stages one after another.
-#include "rooms/building_file.h"
+#include "rooms/labelled_rooms.h"
 #include "stage_tools.h"
 #include "tool_error.h"
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "air_scene.h"
 #include "stairs_scene.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -16,16 +19,6 @@ box()
 {
   AirScene scene;
   scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  return scene;
-}
-
-/** A hall of 5.5 m, with a gallery from x = 4.05 m on. */
-AirScene
-hallWithGallery()
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 5.51);
-  scene.slabs(4.05, 0.05, 8.05, 4.05, 2.51, 2.81);
   return scene;
 }
 
@@ -76,36 +69,6 @@ TEST(AirGaps, ReachACornerBothWaysRound)
   EXPECT_EQ(air.gaps.diagonal(air.at(3.95, 1, 1), 0), none) << "at a wall";
 }
 
-TEST(AirGaps, AboveATableAreAirAndBelowItAreNot)
-{
-  AirScene scene = box();
-  scene.slab(1, 1, 2, 2, 0.76);
-  const SceneAir air(scene);
-  const std::uint32_t above = air.at(1.5, 1.5, 1.5);
-  ASSERT_NE(above, none);
-  EXPECT_EQ(air.gaps[above].low, 16);
-  EXPECT_EQ(air.gaps[above].high, 50);
-  EXPECT_EQ(air.at(1.5, 1.5, 0.4), none);
-  EXPECT_EQ(air.gaps.size(), columns_of_box);
-  EXPECT_NEAR(air.gaps.voidArea(), 1, 1e-9);
-  EXPECT_EQ(air.gaps.link(air.at(0.95, 1.5, 1), 0), air.at(1.05, 1.5, 1.5));
-}
-
-TEST(AirGaps, OfTwoStoreysAreNotLinkedAndTheSlabBetweenIsNoAir)
-{
-  AirScene scene = box();
-  scene.room(0.05, 0.05, 4.05, 3.05, 2.81, 5.31);
-  const SceneAir air(scene);
-  ASSERT_EQ(air.gaps.size(), 2 * columns_of_box);
-  EXPECT_EQ(air.at(2, 2, 2.65), none);
-  EXPECT_NEAR(air.gaps.voidArea(), 0.01 * 41 * 31, 1e-9) << "over the walls, too";
-  for (std::uint32_t g = 0; g < air.gaps.size(); ++g)
-    for (int d = 0; d < 4; ++d)
-      if (const std::uint32_t o = air.gaps.link(g, d); o != none) {
-        EXPECT_EQ(air.gaps[g].low, air.gaps[o].low);
-      }
-}
-
 TEST(AirGaps, AreNoneOfATerraceThatWasSeenThroughADoor)
 {
   AirScene with_door = without(box(), [](const Eigen::Vector3d& p) {
@@ -117,17 +80,6 @@ TEST(AirGaps, AreNoneOfATerraceThatWasSeenThroughADoor)
   EXPECT_NE(air.at(2, 3.05, 1), none) << "in the door";
   for (double y = 3.35; y < 5; y += 0.1)
     EXPECT_EQ(air.at(2, y, 1), none) << y;
-}
-
-TEST(AirGaps, OfAHallGoOnBelowAGallery)
-{
-  const AirScene scene = hallWithGallery();
-  const SceneAir air(scene);
-  const std::uint32_t hall = air.at(3.95, 2, 4);
-  EXPECT_EQ(hall, air.at(3.95, 2, 1));
-  EXPECT_EQ(air.gaps.link(hall, 0), air.at(4.05, 2, 1)) << "where its floor goes on";
-  EXPECT_FALSE(air.gaps.isDrop(hall, 0));
-  EXPECT_EQ(air.gaps.link(air.at(4.05, 2, 4), 2), none);
 }
 
 TEST(AirGaps, OverStairsGoOnAboveTheSlabBelowWhichNobodyCanStandOnThem)
@@ -223,38 +175,99 @@ TEST(AirGaps, EndBelowAWallOfWhichFurnitureHidesTheFoot)
   }
 }
 
-/** Two rooms above each other; in what was seen of the slab between them is a hole. */
-AirScene
-storeysWithHole(double x0, double y0, double x1, double y1)
+bool
+isAside(double x, double y)
 {
-  const auto isSeen = [&](double x, double y) {
-    return x < x0 || x > x1 || y < y0 || y > y1;
-  };
-  return storeysWithSlab(isSeen, isSeen);
+  return x < 2 || x > 4 || y < 1 || y > 3;
 }
 
-TEST(AirGaps, ASlabGoesOnAcrossAHoleInWhatWasSeenOfIt)
+bool
+always(double /*x*/, double /*y*/)
 {
-  const AirScene scene = storeysWithHole(2, 1, 2.9, 1.9);
+  return true;
+}
+
+TEST(SlabFaces, AFloorIsFoundThoughThatOfTheStoreyBelowWasHiddenAtTheSamePlace)
+{
+  AirScene scene;
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 0.01, isAside);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 2.51);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, isAside);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
+  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
   const SceneAir air(scene);
-  ASSERT_EQ(air.gaps.size(), std::size_t{2} * 59 * 39);
-  const AirGap& lower = air.gaps[air.at(2.45, 1.45, 1)];
-  EXPECT_TRUE(lower.floor_seen);
-  EXPECT_FALSE(lower.ceiling_seen);
-  EXPECT_EQ(lower.high, 50);
-  const AirGap& upper = air.gaps[air.at(2.45, 1.45, 4)];
-  EXPECT_FALSE(upper.floor_seen);
-  EXPECT_TRUE(upper.ceiling_seen);
-  EXPECT_EQ(upper.low, 57);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
+  ASSERT_NE(air.at(3, 2, 1), AirGaps::none);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 1)].low, 1);
 }
 
-TEST(AirGaps, ASlabGoesOnAcrossAHoleInACornerButAStairwellAlongTheWallStaysOpen)
+TEST(SlabFaces, AFloorIsFoundAboveATable)
 {
-  for (const double length : {1.0, 3.0}) {
-    const AirScene scene = storeysWithHole(0, 0, 0.9, length);
-    const SceneAir air(scene);
-    EXPECT_EQ(air.gaps[air.at(0.45, 0.45, 1)].high, length < 2 ? 50 : 106) << length;
-  }
+  AirScene scene = storeysWithSlab(always, isAside);
+  scene.slab(2.55, 1.55, 3.55, 2.55, 0.76); // no headroom above it
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
+}
+
+TEST(SlabFaces, AFloorThatWasNotSeenAtAllLiesAsHighAsThoseOfOtherRooms)
+{
+  AirScene scene = storeysWithSlab(always, always);
+  scene.room(8.05, 0.05, 12.05, 4.05, 0.01, 5.31);
+  scene.slab(8.05, 0.05, 12.05, 4.05, 2.51);
+  const SceneAir air(scene);
+  const AirGap& upper = air.gaps[air.at(10, 2, 4)];
+  EXPECT_EQ(upper.low, 57);
+  EXPECT_FALSE(upper.floor_seen);
+}
+
+TEST(SlabFaces, AFloorThatWasNotSeenIsFoundAboveARibbedCeiling)
+{
+  AirScene scene = storeysWithSlab(always, isAside);
+  for (double y = 0.55; y < 4; y += 0.6)
+    scene.hanging(0.05, y, 6.05, y + 0.2, 2.21, 2.51);
+  const SceneAir air(scene);
+  for (const double y : {1.65, 1.95, 2.25, 2.55})
+    EXPECT_EQ(air.gaps[air.at(3, y, 4)].low, 57) << "at " << y;
+  EXPECT_EQ(air.gaps[air.at(3, 1.85, 1)].high, 44) << "the rib stays";
+}
+
+/** A room of 4 m x 3 m, 2.5 m high, and in it points at 2 m, in every second row and
+ * column of those that a surface would have. */
+AirScene
+roomWithLayer(const PlanLoop& loop)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.points.slab(loop, 2.01, [](double x, double y) {
+    return std::lround(x / 0.05 - 0.5) % 2 == 0 && std::lround(y / 0.05 - 0.5) % 2 == 0;
+  });
+  return scene;
+}
+
+/** Height of the air over a place, metres, with or without a look at veils. */
+double
+heightAt(const AirScene& scene, double x, double y, bool knows_veils)
+{
+  const VoxelColumns fine(scene.points.view(), {}, 0.05, 0.05, 1);
+  const VoxelColumns columns = fine.halved(1);
+  const AirGaps air(columns, columns, SceneAir::parametersFor(1),
+                    knows_veils ? &fine : nullptr);
+  const std::uint32_t column = columns.columnAt(columns.grid().at(x, y));
+  return air.height(air.first(column));
+}
+
+TEST(Veils, EndNoAirWhereTheCeilingIsSeenThroughThem)
+{
+  const AirScene scene = roomWithLayer(rectangle(1.05, 1.05, 2.05, 2.05));
+  EXPECT_NEAR(heightAt(scene, 1.5, 1.5, false), 1.95, 1e-9) << "up to the points";
+  EXPECT_NEAR(heightAt(scene, 1.5, 1.5, true), 2.45, 1e-9) << "up to the ceiling";
+}
+
+TEST(Veils, AreNoHeadsOfOpeningsInThickWalls)
+{
+  AirScene scene = roomWithLayer(rectangle(1.05, 1.05, 1.55, 2.05));
+  scene.sides(1.05, 1.05, 1.55, 2.05, 2.01, 2.51);
+  EXPECT_NEAR(heightAt(scene, 1.3, 1.5, true), 1.95, 1e-9);
 }
 
 } // namespace

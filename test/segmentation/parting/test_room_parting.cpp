@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parted_scenes.h"
-
 #include "segmentation/air/stairs_scene.h"
 
 #include <tuple>
@@ -173,6 +172,188 @@ TEST(PartRooms, ALoftOpenOnTwoSidesTakesNoFloorFromTheHallBelow)
     const Parted air(scene);
     EXPECT_EQ(air.roomAt(1, 1, 1), air.roomAt(4, 3, 1)) << "below the loft";
   });
+}
+
+TEST(PartRooms, ABeamAcrossARoomPartsNothing)
+{
+  for (const double depth : {0.2, 0.4, 0.6})
+    forBothTurns([&](AirScene& scene) {
+      scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 2.81);
+      scene.hanging(3.85, 0.05, 4.15, 4.05, 2.81 - depth, 2.81);
+      EXPECT_EQ(Parted(scene).rooms(), 1u) << depth;
+    });
+}
+
+TEST(PartRooms, NorDoesOneOnColumns)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 24.05, 6.05, 0.01, 2.81);
+    scene.hanging(11.85, 0.05, 12.25, 6.05, 2.21, 2.81);
+    for (const double y : {1.45, 4.25})
+      scene.sides(11.85, y, 12.25, y + 0.4, 0.01, 2.21);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+TEST(PartRooms, APierBetweenTwoWaysIsAWall)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 2.95, 8.15, 0.01, 2.61);
+    for (const auto& [from, to] : {std::pair(0.05, 0.25), {1.15, 1.75}, {2.75, 2.95}})
+      scene.sides(from, 4.05, to, 4.15, 0.01, 2.61);
+    EXPECT_EQ(Parted(scene).rooms(), 2u);
+  });
+}
+
+TEST(PartRooms, NorDoRibs)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 2.81);
+    for (double x = 0.85; x < 8; x += 1)
+      scene.hanging(x, 0.05, x + 0.2, 4.05, 2.51, 2.81);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+TEST(PartRooms, NorDoLampsThatHangInARow)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 2.81);
+    for (double y = 0.35; y < 3.5; y += 0.9)
+      scene.slab(4, y, 4.2, y + 0.6, 2.21);
+    scene.slab(6, 2, 6.1, 2.1, 1.51); // one on a long cord
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+/** Adds a hall of 8 m x 6 m with a corridor of 6 m in the middle of its side. */
+void
+addHallWithCorridor(AirScene& scene, double width, double lintel)
+{
+  const double low = 3.05 - width / 2;
+  const double high = 3.05 + width / 2;
+  scene.slabs(0.05, 0.05, 8.05, 6.05, 0.01, 2.81);
+  scene.slabs(8.05, low, 14.05, high, 0.01, 2.81);
+  for (const double y : {0.05, 6.05})
+    scene.wall(0.05, y, 8.05, y, 0.01, 2.81);
+  for (const double y : {low, high})
+    scene.wall(8.05, y, 14.05, y, 0.01, 2.81);
+  scene.wall(0.05, 0.05, 0.05, 6.05, 0.01, 2.81);
+  scene.wall(14.05, low, 14.05, high, 0.01, 2.81);
+  scene.wall(8.05, 0.05, 8.05, low, 0.01, 2.81);
+  scene.wall(8.05, high, 8.05, 6.05, 0.01, 2.81);
+  if (lintel > 0)
+    scene.hanging(8.05, low, 8.25, high, 2.81 - lintel, 2.81);
+}
+
+TEST(PartRooms, ACorridorThatIsOpenToAHallAtItsFullWidthIsOfIt)
+{
+  for (const double width : {1.4, 2.0, 3.0})
+    forBothTurns([&](AirScene& scene) {
+      addHallWithCorridor(scene, width, 0);
+      EXPECT_EQ(Parted(scene).rooms(), 1u) << width;
+    });
+}
+
+TEST(PartRooms, BelowALintelItIsARoomOfItsOwn)
+{
+  for (const auto& [width, lintel] :
+       {std::pair(1.4, 0.4), std::pair(2.0, 0.5), std::pair(3.0, 0.7)})
+    forBothTurns([&, width = width, lintel = lintel](AirScene& scene) {
+      AirScene higher = scene;
+      addHallWithCorridor(scene, width, lintel);
+      const Parted air(scene);
+      EXPECT_EQ(air.rooms(), 2u) << width;
+      EXPECT_NE(air.roomAt(4, 3), air.roomAt(12, 3)) << width;
+      addHallWithCorridor(higher, width, 0.11);
+      EXPECT_EQ(Parted(higher).rooms(), 1u) << width;
+    });
+}
+
+TEST(PartRooms, ANookBelowABeamWithADoorToTheNextRoomIsOfTheHallItOpensTo)
+{
+  forBothTurns([](AirScene& scene) {
+    addTwoRooms(scene, {1.05, 1.95, 2.11}); // the door from the second room
+    // Before the door 1 m of the hall is 2.4 m wide, below a beam at its mouth.
+    for (const auto& [from, to] : {std::pair(0.05, 0.35), std::pair(2.75, 3.05)})
+      scene.sides(3.05, from, 4.05, to, 0.01, 2.51);
+    scene.hanging(3.05, 0.35, 3.15, 2.75, 2.21, 2.51);
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    EXPECT_EQ(air.roomAt(3.5, 1.5), air.roomAt(2, 1.5));
+    EXPECT_NE(air.roomAt(3.5, 1.5), air.roomAt(5.5, 1.5));
+  });
+}
+
+TEST(PartRooms, ColumnsPartNothing)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 12.05, 9.05, 0.01, 2.81);
+    for (double x = 2.85; x < 11; x += 3)
+      for (double y = 2.85; y < 8; y += 3)
+        scene.sides(x, y, x + 0.4, y + 0.4, 0.01, 2.81);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+TEST(PartRooms, AStepInFloorOrCeilingPartsNothing)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.slab(0.05, 0.05, 4.05, 4.05, 0.01);
+    scene.slab(4.05, 0.05, 8.05, 4.05, 0.51);
+    scene.wall(4.05, 0.05, 4.05, 4.05, 0.01, 0.51);
+    scene.slab(0.05, 0.05, 3.05, 4.05, 2.51);
+    scene.slab(3.05, 0.05, 8.05, 4.05, 3.21);
+    scene.wall(3.05, 0.05, 3.05, 4.05, 2.51, 3.21);
+    scene.sides(0.05, 0.05, 8.05, 4.05, 0.01, 3.21);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+/** A corridor of 8 m x 1 m beside a room of 3 m x 3 m, with an opening up to the
+ * ceiling at the end of the room's wall. */
+void
+addCorridor(AirScene& scene, double opening)
+{
+  scene.slabs(0.05, 0.05, 1.05, 8.05, 0.01, 2.51);
+  scene.slabs(1.15, 5.05, 4.15, 8.05, 0.01, 2.51);
+  scene.wall(0.05, 0.05, 1.05, 0.05, 0.01, 2.51);
+  scene.wall(0.05, 8.05, 4.15, 8.05, 0.01, 2.51);
+  scene.wall(0.05, 0.05, 0.05, 8.05, 0.01, 2.51);
+  scene.wall(1.05, 0.05, 1.05, 5.05, 0.01, 2.51);
+  scene.wall(1.05, 5.05, 4.15, 5.05, 0.01, 2.51);
+  scene.wall(4.15, 5.05, 4.15, 8.05, 0.01, 2.51);
+  scene.partition(1.05, 5.05, 8.05, 0.01, 2.51, {5.35, 5.35 + opening, 2.51});
+}
+
+TEST(PartRooms, ADoorwayAsWideAsTheCorridorPartsThem)
+{
+  forBothTurns([](AirScene& scene) {
+    addCorridor(scene, 1.0);
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    EXPECT_EQ(air.roomAt(0.55, 1), air.roomAt(0.55, 7.5)) << "the corridor stays one";
+    EXPECT_NE(air.roomAt(0.55, 5.85), air.roomAt(2.5, 6.5));
+  });
+}
+
+TEST(PartRooms, AnOpeningWiderThanALeafPartsNothingWithoutALintel)
+{
+  forBothTurns([](AirScene& scene) {
+    addCorridor(scene, 2.0);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+  });
+}
+
+TEST(PartRooms, TheAirOnFurnitureIsOfTheRoomHoweverHighItIs)
+{
+  for (const double height : {1.51, 2.01, 2.41})
+    forBothTurns([height](AirScene& scene) {
+      addRoomWithCupboards(scene, height);
+      const Parted air(scene);
+      EXPECT_EQ(air.rooms(), 1u) << height;
+      EXPECT_EQ(air.roomAt(1.5, 1, 3), air.roomAt(4.5, 3)) << height;
+    });
 }
 
 } // namespace

@@ -1,9 +1,146 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_growing_scenes.h"
+#include <gtest/gtest.h>
+#include <pcl/features/boundary.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
 
 namespace {
 
-using namespace wall_growing;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
+
+constexpr float step = 0.0625f; // multiples add and subtract without rounding
+
+pcl::IndicesPtr
+indexList(pcl::Indices indices = {})
+{
+  return pcl::make_shared<pcl::Indices>(std::move(indices));
+}
+
+/** @brief A cloud that is built part by part; each part returns its indices. */
+struct Scene {
+  Cloud::Ptr cloud = pcl::make_shared<Cloud>();
+
+  pcl::index_t add(float x, float y, float z)
+  {
+    cloud->push_back({x, y, z});
+    return static_cast<pcl::index_t>(cloud->size() - 1);
+  }
+
+  /** @brief Adds points every step over [x0, x1] x [y0, y1] at height z, where `keep`
+   * returns true. */
+  template <typename Keep>
+  pcl::Indices slab(float x0, float x1, float y0, float y1, float z, Keep keep)
+  {
+    pcl::Indices indices;
+    for (float y = y0; y <= y1; y += step)
+      for (float x = x0; x <= x1; x += step)
+        if (keep(x, y))
+          indices.push_back(add(x, y, z));
+    return indices;
+  }
+
+  pcl::Indices slab(float x0, float x1, float y0, float y1, float z)
+  {
+    return slab(x0, x1, y0, y1, z, [](float, float) { return true; });
+  }
+
+  /** @brief Adds a vertical line of points every step over [z0, z1]. */
+  pcl::Indices pole(float x, float y, float z0, float z1)
+  {
+    pcl::Indices indices;
+    for (float z = z0; z <= z1; z += step)
+      indices.push_back(add(x, y, z));
+    return indices;
+  }
+};
+
+/** @brief Returns the union of both lists in ascending order. */
+pcl::Indices
+united(pcl::Indices a, const pcl::Indices& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end());
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+Growing
+growingOn(const Scene& scene, const pcl::Indices& ceiling)
+{
+  Growing growing;
+  growing.setDistanceThreshold(0.1); // 1.6 times the point spacing
+  growing.setInputCloud(scene.cloud);
+  growing.setCeilingIndices(indexList(ceiling));
+  return growing;
+}
+
+pcl::Indices
+wallsOf(Growing& growing)
+{
+  pcl::PointIndices walls;
+  EXPECT_TRUE(growing.segment(walls)) << growing.getErrorMessage();
+  return walls.indices;
+}
+
+/** @brief Returns a ceiling of irregular spacing with a round hole, as in a scan. */
+Scene
+irregularCeiling(unsigned int seed, int columns = 70, int points_a_spot = 1)
+{
+  Scene scene;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> jitter(-0.02f, 0.02f);
+  std::normal_distribution<float> noise(0.f, 0.01f);
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < 50; ++j) {
+      const float x = static_cast<float>(i) * 0.05f + jitter(random);
+      const float y = static_cast<float>(j) * 0.05f + jitter(random);
+      if (std::hypot(x - 1.7f, y - 1.2f) < 0.4f)
+        continue;
+      const float z = 2.5f + noise(random);
+      for (int n = 0; n < points_a_spot; ++n)
+        scene.add(x, y, z);
+    }
+  return scene;
+}
+
+pcl::Indices
+allOf(const Scene& scene)
+{
+  pcl::Indices all(scene.cloud->size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = static_cast<pcl::index_t>(i);
+  return all;
+}
+
+/** @brief A room of 4 m x 3 m x 2.5 m whose ceiling is 0.75 m lower for x > 3. The step
+ * is larger than the neighbourhood of a ceiling point, so both parts are connected only
+ * in plan. */
+struct SoffitRoom : Scene {
+  pcl::Indices ceiling = slab(0, 3, 0, 3, 2.5f);
+  pcl::Indices soffit = slab(3, 4, 0, 3, 1.75f);
+  pcl::Indices floor = slab(0, 4, 0, 3, 0.f);
+  pcl::Indices wall_above = pole(4 + step, 1.5f, 1.5625f, 1.6875f);
+  pcl::Indices wall_below = pole(4 + step, 1.5f, 0.25f, 1.4375f);
+  pcl::Indices by_riser_above = pole(3, 1.5f, 1.5625f, 1.6875f);
+  pcl::Indices by_riser_below = pole(3, 1.5f, 0.25f, 1.4375f);
+
+  Growing growing() const
+  {
+    Growing growing = growingOn(*this, ceiling);
+    growing.setFloorIndices(indexList(floor));
+    growing.setDetailIndices(indexList(soffit));
+    growing.setSliceHeight(1.5);
+    return growing;
+  }
+};
 
 TEST(CeilingBoundaryWallGrowing, WallsAreExactlyThePointsWithinTheDistance)
 {
@@ -142,6 +279,71 @@ TEST(CeilingBoundaryWallGrowing, BadInputIsRefusedWithAReasonAndClearsTheResult)
       "there are 2");
   refusesWith([](Growing& g) { g.setFloorIndices(indexList()); }, "floor");
   refusesWith([](Growing& g) { g.setSliceHeight(HUGE_VAL); }, "slice");
+}
+
+pcl::Indices
+boundaryByPcl(const Cloud::Ptr& cloud, int neighbours, float angle)
+{
+  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>(
+      cloud->size(), 1, pcl::Normal(0.f, 0.f, 1.f));
+  pcl::BoundaryEstimation<pcl::PointXYZ, pcl::Normal, pcl::Boundary> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setInputNormals(normals);
+  estimation.setKSearch(neighbours);
+  estimation.setAngleThreshold(angle);
+  pcl::PointCloud<pcl::Boundary> result;
+  estimation.compute(result);
+  pcl::Indices boundary;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (result[i].boundary_point)
+      boundary.push_back(static_cast<pcl::index_t>(i));
+  return boundary;
+}
+
+TEST(CeilingBoundaryWallGrowing, BoundaryIsThatOfPclBoundaryEstimation)
+{
+  struct {
+    int neighbours;
+    float degrees;
+  } const settings[] = {{200, 60.f}, {100, 90.f}, {40, 45.f}, {12, 75.f}};
+  for (const auto& s : settings) {
+    const Scene scene = irregularCeiling(static_cast<unsigned int>(s.neighbours));
+    Growing growing = growingOn(scene, allOf(scene));
+    growing.setNumberOfNeighbors(static_cast<unsigned int>(s.neighbours));
+    const float angle = s.degrees * static_cast<float>(M_PI) / 180.f;
+    growing.setAngleThreshold(angle);
+    wallsOf(growing);
+    const auto expected = boundaryByPcl(scene.cloud, s.neighbours, angle);
+    EXPECT_GT(expected.size(), 250u);
+    EXPECT_EQ(growing.getBoundaryIndices(), expected) << s.neighbours << " neighbours";
+  }
+}
+
+TEST(CeilingBoundaryWallGrowing, BoundaryOfRepeatedPointsIsThatOfPclBoundaryEstimation)
+{
+  const Scene scene = irregularCeiling(5, 15, 40); // the nearest 40 points coincide
+  Growing growing = growingOn(scene, allOf(scene));
+  growing.setNumberOfNeighbors(400);
+  wallsOf(growing);
+  const auto expected = boundaryByPcl(scene.cloud, 400, growing.getAngleThreshold());
+  EXPECT_GT(expected.size(), 40u * 100u);
+  EXPECT_EQ(growing.getBoundaryIndices(), expected);
+}
+
+TEST(CeilingBoundaryWallGrowing, BoundaryAtAHighStepIsThatOfPclBoundaryEstimation)
+{
+  Scene scene;
+  scene.slab(0, 2.95f, 0, 4, 2.5f);
+  scene.slab(3, 6, 0, 4, 3.3f);
+  Growing growing = growingOn(scene, allOf(scene));
+  wallsOf(growing);
+  const auto expected = boundaryByPcl(scene.cloud, 200, growing.getAngleThreshold());
+  const auto beside = std::count_if(expected.begin(), expected.end(), [&](int i) {
+    const auto& p = (*scene.cloud)[static_cast<std::size_t>(i)];
+    return p.x > 2.9f && p.x < 3.05f && p.y > 1 && p.y < 3;
+  });
+  EXPECT_GT(beside, 50);
+  EXPECT_EQ(growing.getBoundaryIndices(), expected);
 }
 
 } // namespace

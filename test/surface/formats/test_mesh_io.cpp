@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/mesh/meshes.h"
 
-#include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
-
+#include <gtest/gtest.h>
 #include <pcl/PolygonMesh.h>
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/point_types.h>
-
-#include <gtest/gtest.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
+#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+namespace {
+
 using namespace pcl::sedr;
 using namespace sedr_test;
-
-namespace {
 
 class MeshIo : public ::testing::Test {
 protected:
@@ -186,6 +186,18 @@ TEST_F(MeshIo, every_truncation_of_a_file_is_noticed)
   TriangleMesh mesh;
   expectFailure(loadMesh(write("part.ply", whole.substr(0, whole.size() - 1)), mesh),
                 "11 of 12 rows of 'face'", mesh);
+}
+
+TEST(Schedules, CsvQuotesWhatNeedsIt)
+{
+  const ScheduleTable table{"rooms",
+                            {"id", "name"},
+                            {{"1", "hall"}, {"2", "Bad, \"blau\""}}};
+  EXPECT_EQ(csvOf(table), "id,name\r\n1,hall\r\n2,\"Bad, \"\"blau\"\"\"\r\n");
+  const ScheduleTable formulas{"rooms",
+                               {"a", "b"},
+                               {{"=1+2", "-0.250"}, {"@SUM(A1)", ""}}};
+  EXPECT_EQ(csvOf(formulas), "a,b\r\n'=1+2,-0.250\r\n'@SUM(A1),\r\n");
 }
 
 } // namespace

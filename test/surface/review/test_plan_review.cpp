@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measured_room.h"
-
-#include <pcl/sedr_surface/plan_review.h>
+#include "../../plan_loops.h"
+#include "sedr_surface/src/review/unlikely_places.h"
 
 #include <gtest/gtest.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <cmath>
 #include <string>
 
-using namespace pcl::sedr;
-using sedr_test::measuredRoom;
-
 namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A room of 4 m x 3 m x 2.5 m of which all walls were measured, with a door. */
+pcl::sedr::Floorplan
+measuredRoom()
+{
+  pcl::sedr::Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5)};
+  for (pcl::sedr::PlanElement& wall : plan.rooms[0].boundary.elements) {
+    wall.evidence = {1, 0, 0};
+    wall.accuracy = {0.002, 0.01};
+  }
+  pcl::sedr::PlanOpening door{
+      pcl::sedr::OpeningKind::Door, {1, 0}, {{1, 0}}, {1, 0}, {2, 0}, 0, 2};
+  door.confidence = 0.99;
+  door.residual = 0.002;
+  door.number = 1;
+  plan.openings = {door};
+  return plan;
+}
 
 /** Makes a wall of that room one of which a third was seen. */
 void
@@ -183,9 +202,8 @@ TEST(PlanReview, AWrongUnitOrAxisIsNotScannedAgain)
     const PlanReview review = reviewOf(measuredRoom(), {warningOf(kind, "odd")});
     EXPECT_EQ(review.verdict, ReviewVerdict::Check);
     EXPECT_EQ(review.checks, 1u);
-    const PlanReview more =
-        reviewOf(measuredRoom(),
-                 {warningOf(kind, "odd"), {WarningKind::SmallRoom, {12}, 1}});
+    const PlanReview more = reviewOf(
+        measuredRoom(), {warningOf(kind, "odd"), {WarningKind::SmallRoom, {12}, 1}});
     EXPECT_EQ(more.verdict, ReviewVerdict::ScanAgain);
   }
 }
@@ -201,6 +219,150 @@ TEST(PlanReview, SharesOfWallsAreThoseOfTheirArea)
   EXPECT_NEAR(review.within[1], expected, 1e-9);
   plan.rooms[0].boundary = sedr_test::rectangle(0, 0, 4, 3); // nothing is known
   EXPECT_EQ(reviewOf(plan, {}).within[0], 1);
+}
+
+TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
+{
+  Floorplan plan = measuredRoom();
+  PlanElement& wall = plan.rooms[0].boundary.elements[2];
+  wall.evidence = {0.5, 0.3, 0.2};
+  wall.accuracy.standard_error = 0.006; // three times that of the others
+  const auto walls = certaintyOfWalls(plan, {{WarningKind::WallOff, {2, -7}, 1, 3},
+                                             {WarningKind::WallOff, {1, 9}, 1, 3},
+                                             {WarningKind::WallOff, {1, 9}, 1, 0}});
+  ASSERT_EQ(walls.size(), 4u);
+  EXPECT_EQ(walls[2].element, "1.3");
+  EXPECT_NEAR(walls[2].area, 10, 1e-9);
+  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0, 0.3};
+  ASSERT_EQ(walls[2].signs.size(), truth.size());
+  EXPECT_EQ(wallSigns().size(), truth.size());
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    EXPECT_NEAR(walls[2].signs[k], truth[k], 1e-9) << wallSigns()[k];
+  EXPECT_EQ(walls[1].signs.back(), 0);
+}
+
+TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
+{
+  const auto of = [](const Floorplan& plan, double off) {
+    return certaintyOfWalls(plan, {{WarningKind::WallOff, {off, 7}, 1, 3}})[2].right();
+  };
+  const double best = of(measuredRoom(), 0);
+  EXPECT_GT(best, 0.95);
+  EXPECT_LT(of(measuredRoom(), 5), best);
+  Floorplan plan = measuredRoom();
+  PlanElement& wall = plan.rooms[0].boundary.elements[2];
+  wall.accuracy.standard_error = 0.03;
+  EXPECT_LT(of(plan, 0), best);
+  wall.accuracy = {};
+  wall.evidence = {0, 0.5, 0.5};
+  EXPECT_LT(of(plan, 0), 0.9);
+  plan.rooms[0].boundary = sedr_test::rectangle(0, 0, 0.1, 3);
+  for (PlanElement& any : plan.rooms[0].boundary.elements)
+    any.evidence = {0, 0.5, 0.5};
+  EXPECT_LT(of(plan, 0), 0.3) << "short ones follow their neighbours";
+}
+
+TEST(Certainty, OfOpeningsFollowsTheirEdges)
+{
+  Floorplan plan = measuredRoom();
+  plan.openings.resize(3, plan.openings[0]);
+  plan.openings[0].residual = 0.02; // ten times that of the others
+  plan.openings[2].confidence = 0.9;
+  plan.openings[2].number = 3;
+  const auto doors = certaintyOfOpenings(plan);
+  const Certainty& door = doors[2];
+  EXPECT_EQ(door.element, "D3");
+  EXPECT_NEAR(door.area, 2, 1e-9);
+  EXPECT_NEAR(door.signs[0], std::log(9), 1e-9);
+  EXPECT_EQ(door.signs[1], 0);
+  EXPECT_NEAR(doors[0].signs[1], std::log(10), 1e-9);
+  EXPECT_EQ(door.signs.size(), openingSigns().size());
+  EXPECT_GT(door.right(), 0.9);
+  EXPECT_LT(doors[0].right(), 0.6);
+}
+
+TEST(Certainty, NothingIsSaidOfWhatIsNotKnown)
+{
+  Floorplan plan = measuredRoom();
+  plan.rooms[0].boundary.elements[0].evidence = {};
+  plan.openings.resize(3, plan.openings[0]);
+  plan.openings[0].confidence = 0;
+  plan.openings[1].confidence = 1; // as PlanEditor sets openings by hand
+  plan.openings[1].residual = 0;
+  EXPECT_EQ(certaintyOfWalls(plan, {{WarningKind::WallOff, {}, 1, 2}}).size(), 3u);
+  const auto openings = certaintyOfOpenings(plan);
+  ASSERT_EQ(openings.size(), 1u);
+  EXPECT_EQ(openings[0].index, 2u);
+}
+
+using sedr_test::rectangle;
+using sedr_test::roomOf;
+
+std::vector<WarningKind>
+kindsIn(const Floorplan& plan)
+{
+  std::vector<WarningKind> kinds;
+  for (const PlanWarning& warning : unlikelyPlaces(plan)) {
+    EXPECT_TRUE(warning.at.allFinite()) << sentenceOf(warning);
+    EXPECT_EQ(sentenceOf(warning).find('?'), std::string::npos) << sentenceOf(warning);
+    kinds.push_back(warning.kind);
+  }
+  return kinds;
+}
+
+/** A room of 4 m x 3 m with a door of a width. */
+Floorplan
+plainRoom(double width = 0.9)
+{
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5)};
+  plan.openings = {{OpeningKind::Door, {1, 0}, {}, {1, 0}, {1 + width, 0}, 0, 2}};
+  return plan;
+}
+
+TEST(UnlikelyPlaces, NoneInAPlainRoom)
+{
+  EXPECT_TRUE(kindsIn(plainRoom()).empty());
+}
+
+TEST(UnlikelyPlaces, EachKindAlone)
+{
+  using Kinds = std::vector<WarningKind>;
+  Floorplan plan = plainRoom();
+  plan.openings[0].kind = OpeningKind::Window;
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::NoDoor});
+  EXPECT_EQ(kindsIn(plainRoom(0.6)), Kinds{WarningKind::NarrowDoor});
+  plan = plainRoom();
+  plan.rooms[0].boundary = rectangle(0, 0, 10, 0.7);
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::NarrowRoom});
+  plan.rooms[0].boundary = rectangle(0, 0, 1.5, 1.2);
+  EXPECT_EQ(kindsIn(plan), (Kinds{WarningKind::SmallRoom, WarningKind::SmallStorey}));
+  for (const double height : {1.9, 6.1}) {
+    plan = plainRoom();
+    plan.rooms[0] = roomOf(rectangle(0, 0, 4, 3), height);
+    EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::Height});
+  }
+  plan = plainRoom(); // a detail below the floor, beside the middle
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(3.5, 0, 4, 3), -0.8)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::Height});
+  EXPECT_NEAR(unlikelyPlaces(plan)[0].values[0], -0.8, 1e-9);
+  plan = plainRoom(); // an arc of 5 mm rise over 4 m
+  PlanElement& arc = plan.rooms[0].boundary.elements[0];
+  arc.radius = 400;
+  arc.centre = {2, std::sqrt(400.0 * 400 - 4)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::FlatArc});
+  plan = plainRoom(); // cupboards of 2 m below a soffit of 4 m
+  plan.rooms[0].boundary =
+      sedr_test::polygon({{0, 0}, {4, 0}, {4, 2.5}, {2, 2.5}, {2, 3}, {0, 3}});
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(0, 2.5, 2, 3), 2.1)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::InLine});
+  EXPECT_EQ(unlikelyPlaces(plan)[0].wall, 3u);
+  EXPECT_NEAR(unlikelyPlaces(plan)[0].values[0], 2, 1e-9);
+  plan = plainRoom();
+  plan.rooms[0].floor_details = {sedr_test::detailOf(rectangle(0, 2, 4, 3), 0.4)};
+  EXPECT_EQ(kindsIn(plan), Kinds{}) << "a stage from wall to wall";
+  plan.rooms[0].floor_details = {sedr_test::detailOf(rectangle(2, 1, 4, 3), 0.4)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::RaisedFloor});
 }
 
 } // namespace

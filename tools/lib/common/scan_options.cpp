@@ -7,7 +7,7 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
-#include "bytes/text_lines.h"
+#include "bytes/input_file.h"
 #include "formats/scan_formats.h"
 
 #include <filesystem>

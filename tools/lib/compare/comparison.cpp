@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparison.h"
-
 #include "element_changes.h"
-
 #include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl::sedr::tools {
@@ -42,6 +42,129 @@ double
 rounded(double value)
 {
   return std::round(value * 1000) / 1000;
+}
+
+std::vector<Element>
+columnsOf(const Floorplan& plan)
+{
+  std::vector<Element> columns;
+  for (const auto& room : plan.rooms)
+    for (const PlanLoop& column : room.columns) {
+      const Eigen::Vector2d centre = boundsOf(column).center();
+      const std::size_t number = static_cast<std::size_t>(&column - &room.columns[0]);
+      columns.push_back(
+          {"column",
+           "room_" + std::to_string(room.id) + "_column_" + std::to_string(number + 1),
+           column,
+           std::abs(column.area()),
+           {centre.x(), centre.y(), 0},
+           heightsOf(room)});
+    }
+  return columns;
+}
+
+/** @brief Returns the distance of two columns; infinite if they are not alike. */
+double
+columnsApart(const Element& a, const Element& b)
+{
+  constexpr double max_ratio = 2; // of areas; hidden sides are inferred
+  const bool is_alike = a.size < max_ratio * b.size && b.size < max_ratio * a.size &&
+                        shareHeights(a.heights, b.heights);
+  return is_alike ? (a.middle - b.middle).norm() : never;
+}
+
+/** @brief Returns the openings of a plan; the heights are their own. */
+std::vector<Element>
+openingsOf(const Floorplan& plan)
+{
+  std::vector<Element> openings;
+  for (const PlanOpening& o : plan.openings) {
+    const Eigen::Vector2d place = (o.start + o.end) / 2;
+    const std::size_t number = static_cast<std::size_t>(&o - &plan.openings[0]);
+    openings.push_back({nameOf(o.kind),
+                        "opening_" + std::to_string(number + 1),
+                        {{segment(o.start, o.end)}},
+                        o.width() * o.height(),
+                        {place.x(), place.y(), (o.bottom + o.top) / 2},
+                        {o.bottom, o.top}});
+  }
+  return openings;
+}
+
+/** @brief Returns the distance of the middles of two openings; infinite if they do not
+ * share a part of a wall. */
+double
+openingsApart(const Element& a, const Element& b)
+{
+  constexpr double max_sine = 0.26;  // between their walls: 15 degrees
+  constexpr double max_across = 0.5; // metres, between walls that face each other
+  constexpr double max_moved = 0.8;  // of a wall; the other side of a corridor is more
+  const PlanElement& o = a.outline.elements[0];
+  const PlanElement& p = b.outline.elements[0];
+  const Eigen::Vector2d normal = o.normalAt(0);
+  const Eigen::Vector2d other = p.normalAt(0);
+  const Eigen::Vector3d off = b.middle - a.middle;
+  const double across = std::abs(normal.dot(off.head<2>()));
+  const double along = std::abs(cross(normal, off.head<2>()));
+  const bool share =
+      std::abs(cross(normal, other)) < max_sine &&
+      across < (normal.dot(other) > 0 ? max_moved : max_across) &&
+      2 * along < o.length() + p.length() &&
+      std::max(a.heights.low, b.heights.low) < std::min(a.heights.high, b.heights.high);
+  return share ? off.norm() : never;
+}
+
+/** @brief Returns whether a plan has a wall where an opening of known kind is. */
+bool
+hasWallOf(const Element& opening, const Floorplan& plan)
+{
+  constexpr double near = 0.5; // of the middle of the wall, metres
+  const double height = opening.middle.z();
+  return opening.what != nameOf(OpeningKind::Unknown) &&
+         std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+           const RoomHeights heights = heightsOf(room);
+           return heights.low < height && height < heights.high &&
+                  room.boundary.distance(opening.middle.head<2>()) < near;
+         });
+}
+
+/** @brief Returns whether a plan has a room where a column is. */
+bool
+hasRoomOf(const Element& column, const Floorplan& plan)
+{
+  const auto rooms = roomsAt(plan, column.heights);
+  return std::any_of(rooms.begin(), rooms.end(), [&](const PlanRoom* room) {
+    return room->contains(column.middle.head<2>());
+  });
+}
+
+/** @brief Pairs elements of two plans; of the others those count whose places the
+ * other plan has.
+ * @param apart distance of two elements
+ * @param has_place whether a plan has the place of an element
+ * @param tolerance distance beyond which an element has moved */
+template <typename ApartT, typename HasPlaceT>
+std::vector<Change>
+thingChanges(std::vector<Element> gone,
+             std::vector<Element> come,
+             const Floorplan& before,
+             const Floorplan& after,
+             const ApartT& apart,
+             const HasPlaceT& has_place,
+             double farthest,
+             double tolerance)
+{
+  std::vector<Change> changes;
+  for (const auto& [a, b] : takePairs(gone, come, farthest, apart))
+    if (apart(a, b) > tolerance)
+      changes.push_back(moveOf(a, b));
+  for (const Element& element : gone)
+    if (has_place(element, after))
+      changes.push_back(changeOf(element, ChangeKind::Vanished));
+  for (const Element& element : come)
+    if (has_place(element, before))
+      changes.push_back(changeOf(element, ChangeKind::Appeared));
+  return changes;
 }
 
 } // namespace
@@ -137,6 +260,28 @@ changesToJson(const std::vector<Change>& changes, const CompareSettings& setting
                   {"farthest", settings.farthest},
                   {"changes", list}};
   return json.dump(1) + "\n";
+}
+
+// Columns and openings are compared by their places.
+
+std::vector<Change>
+columnChanges(const Floorplan& before,
+              const Floorplan& after,
+              const CompareSettings& settings)
+{
+  return thingChanges(columnsOf(before), columnsOf(after), before, after, columnsApart,
+                      hasRoomOf, settings.farthest, settings.tolerance);
+}
+
+std::vector<Change>
+openingChanges(const Floorplan& before,
+               const Floorplan& after,
+               const CompareSettings& settings)
+{
+  if (before.openings.empty() || after.openings.empty())
+    return {}; // nobody looked for them in one of the plans
+  return thingChanges(openingsOf(before), openingsOf(after), before, after,
+                      openingsApart, hasWallOf, settings.farthest, never);
 }
 
 } // namespace pcl::sedr::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model_settings.h"
+#include "model_run.h"
 #include "solid_files.h"
 #include "tool_error.h"
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tool_cloud.h"
-
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
+#include "tool_cloud.h"
+
+#include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_segmentation/building.h>
 
 #include <cstdint>
-#include <pcl/sedr_filters/point_types.h>
+#include <string>
 #include <vector>
 
 namespace pcl::sedr::tools {
@@ -59,5 +61,12 @@ PlanSlab floorOf(const LabelledRoom& room,
  * trusted, throws as well if another direction is up, or the scan inclined, and warns
  * if that may be. */
 void checkScan(const ToolCloud& cloud, bool trust_up);
+
+/** @brief Writes what the stages after pcl_room_segmentation use of a building, as
+ * JSON: heights of rooms, storeys, links, stairs. */
+std::string buildingToJson(const Building& building);
+
+/** @brief Reads the output of buildingToJson(). Throws ToolError on failure. */
+Building loadBuilding(const std::string& path);
 
 } // namespace pcl::sedr::tools

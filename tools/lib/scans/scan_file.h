@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formats/point_reader.h"
 #include "formats/scan_formats.h"
 #include "scan_settings.h"
 

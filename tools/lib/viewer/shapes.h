@@ -3,7 +3,6 @@
 
 #include "colour.h"
 #include "results/display_cloud.h"
-#include "results/plan_rules.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/triangle_mesh.h>

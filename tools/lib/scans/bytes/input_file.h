@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -55,5 +56,49 @@ private:
   std::size_t size_ = 0;
   std::vector<std::uint8_t> unpacked_;
 };
+
+/** @brief Takes a line from the front of a text. It ends with a line feed, a carriage
+ * return, both, or the text.
+ * @return false if the text is empty */
+bool takeLine(std::string_view& text, std::string_view& line);
+
+/** @brief Reads a file, such as a header, line by line. */
+class LineReader {
+public:
+  explicit LineReader(const InputFile& file, std::size_t begin = 0)
+      : file_(file)
+      , end_(begin)
+  {}
+
+  /** @brief Reads the next line without its end; it is valid until the next call. One
+   * of more than a MiB comes in parts. Returns false at the end of the file. */
+  bool next(std::string_view& line);
+
+  /** @brief Returns the byte where the next line begins. */
+  std::size_t position() const { return end_ - rest_.size(); }
+
+private:
+  const InputFile& file_;
+  std::string buffer_;
+  std::string_view rest_; ///< of the buffer
+  std::size_t end_;       ///< byte of the file after the buffer
+};
+
+/** @brief Splits a line at blanks and tabs. */
+std::vector<std::string_view> wordsOf(std::string_view line);
+
+/** @brief Reads a number as std::from_chars does, but one too large for a double as
+ * infinite and one too small as 0. */
+std::from_chars_result readNumber(const char* begin, const char* end, double& value);
+
+/** @brief Reads a word that is a number as a whole, of any type. */
+template <typename T>
+bool
+isNumber(std::string_view word, T& value)
+{
+  const char* const end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
 
 } // namespace pcl::sedr::tools

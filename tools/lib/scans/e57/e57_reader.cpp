@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57_reader.h"
-
 #include "run_tool.h"
+#include "sedr_filters/src/base/parallel.h"
 #include "tool_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
 
 namespace pcl::sedr::tools {
 
@@ -25,6 +30,105 @@ namingFile(const std::string& path, const Work& work)
   catch (const ToolError& error) {
     refuseE57(path, error.what());
   }
+}
+
+constexpr std::size_t batch = 1024; // rows whose values fit into a fast cache
+using Column = std::array<double, batch>;
+
+std::uint8_t
+colourByte(double value, const std::pair<double, double>& limits)
+{
+  constexpr double most = 255;
+  const double share = limits.second > limits.first
+                           ? (value - limits.first) / (limits.second - limits.first)
+                           : value / most;
+  const double scaled = std::round(share * most);
+  return scaled >= most ? std::uint8_t{255}
+         : scaled > 0   ? static_cast<std::uint8_t>(scaled)
+                        : std::uint8_t{0};
+}
+
+/** @brief Returns the number of each role's field, -1 for none. */
+std::vector<int>
+fieldsOf(const E57Scan& scan)
+{
+  const auto find = [&](const std::string& name) {
+    const int field = scan.find(name);
+    const bool is_read =
+        field >= 0 &&
+        scan.fields[static_cast<std::size_t>(field)].kind != E57Field::Kind::Other;
+    return is_read ? field : -1;
+  };
+  const auto findAll = [&](const std::string& kind, const char* const(&names)[3]) {
+    std::vector<int> all;
+    for (const char* name : names)
+      all.push_back(find(kind + name));
+    if (std::find(all.begin(), all.end(), -1) != all.end())
+      all.assign(3, -1);
+    return all;
+  };
+  const char* kind = "cartesian";
+  std::vector<int> fields = findAll(kind, {"X", "Y", "Z"});
+  if (fields[E57Points::X] < 0) {
+    kind = "spherical";
+    fields = findAll(kind, {"Range", "Azimuth", "Elevation"});
+  }
+  if (fields[E57Points::X] < 0)
+    throw ToolError("its points have neither cartesian nor spherical coordinates");
+  fields.push_back(find(std::string(kind) + "InvalidState"));
+  fields.push_back(find("intensity"));
+  const std::vector<int> colour = findAll("color", {"Blue", "Green", "Red"});
+  fields.insert(fields.end(), colour.begin(), colour.end());
+  return fields;
+}
+
+void
+placePoints(const E57Scan& scan,
+            const std::vector<E57Values>& values,
+            std::size_t first,
+            std::size_t n,
+            std::size_t row_size,
+            std::uint8_t* rows)
+{
+  std::array<Column, 3> xyz;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    values[axis].read(first, n, xyz[axis].data());
+  Column invalid;
+  if (values[E57Points::Invalid].field)
+    values[E57Points::Invalid].read(first, n, invalid.data());
+  const bool is_spherical = values[E57Points::X].field->name == "sphericalRange";
+  const Eigen::Matrix3d turn = scan.rotation.toRotationMatrix();
+  for (std::size_t i = 0; i < n; ++i) {
+    Eigen::Vector3d p(xyz[0][i], xyz[1][i], xyz[2][i]);
+    if (is_spherical) {
+      const double in_plan = p[0] * std::cos(p[2]);
+      p = {in_plan * std::cos(p[1]), in_plan * std::sin(p[1]), p[0] * std::sin(p[2])};
+    }
+    if (scan.has_pose)
+      p = turn * p + scan.translation;
+    if (values[E57Points::Invalid].field && invalid[i] != 0)
+      p.setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::memcpy(rows + i * row_size, p.data(), sizeof p);
+  }
+}
+
+void
+placeColours(const E57Scan& scan,
+             const std::vector<E57Values>& values,
+             std::size_t first,
+             std::size_t n,
+             std::size_t row_size,
+             std::uint8_t* rows)
+{
+  Column part;
+  for (std::size_t k = 0; k < 3; ++k) {
+    values[E57Points::Blue + k].read(first, n, part.data());
+    const auto& limits = scan.colour_limits[2 - k]; // red first
+    for (std::size_t i = 0; i < n; ++i)
+      rows[i * row_size + k] = colourByte(part[i], limits);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    rows[i * row_size + 3] = 0xff;
 }
 
 } // namespace
@@ -126,6 +230,43 @@ E57Reader::stations() const
     stations.push_back({scan->begin, scan->scan.translation, scan->scan.rotation});
   }
   return stations;
+}
+
+E57Points::E57Points(const E57Pages& pages, const E57Scan& of, std::size_t first_row)
+    : scan(of)
+    , begin(first_row)
+    , end(first_row + of.points)
+    , fields(fieldsOf(of))
+    , streams(pages, scan, fields)
+{}
+
+void
+E57Points::read(std::size_t first,
+                std::size_t size,
+                const StoredRow& row,
+                std::uint8_t* rows) const
+{
+  const StoredField* const intensity = has(Intensity) ? row.find("intensity") : nullptr;
+  const StoredField* const colour = has(Blue) ? row.find("rgb") : nullptr;
+  const std::vector<E57Values> values = streams.read(first, first + size);
+  constexpr std::size_t rows_at_once = 16 * batch;
+  parallelBlocks(size, rows_at_once, 0, [&](std::size_t from, std::size_t past) {
+    Column column;
+    for (; from < past; from += batch) {
+      const std::size_t n = std::min(batch, past - from);
+      std::uint8_t* const to = rows + from * row.size;
+      placePoints(scan, values, from, n, row.size, to);
+      if (colour)
+        placeColours(scan, values, from, n, row.size, to + colour->offset);
+      if (!intensity)
+        continue;
+      values[Intensity].read(from, n, column.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto value = static_cast<float>(column[i]);
+        std::memcpy(to + intensity->offset + i * row.size, &value, sizeof value);
+      }
+    }
+  });
 }
 
 } // namespace pcl::sedr::tools

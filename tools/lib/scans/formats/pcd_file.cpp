@@ -3,7 +3,7 @@
 #include "scan_formats.h"
 #include "tool_error.h"
 
-#include "bytes/text_lines.h"
+#include "bytes/input_file.h"
 #include "text/text_reader.h"
 #include <pcl/io/lzf.h>
 

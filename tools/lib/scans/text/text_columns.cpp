@@ -4,7 +4,7 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
-#include "bytes/text_lines.h"
+#include "bytes/input_file.h"
 #include "formats/scan_formats.h"
 
 #include <boost/algorithm/string.hpp>

@@ -4,7 +4,7 @@
 #include "formats/scan_formats.h"
 #include "tool_error.h"
 
-#include "bytes/text_lines.h"
+#include "bytes/input_file.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bytes/input_file.h"
-#include "formats/point_reader.h"
+#include "formats/scan_formats.h"
 
 #include <cstdint>
 #include <memory>
