@@ -8,9 +8,15 @@
 
 #include <pcl/sedr_filters/impl/refinement.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace pcl::sedr::tools {
@@ -159,7 +165,55 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "sedr-building";
-constexpr int format_version = 4;
+constexpr int format_version = 5;
+
+/** @brief Returns the gaps of a room: runs along x of equal ones. Each is x and y of
+ * its first cell, its number of cells, the heights of floor and ceiling, to a tenth of
+ * a millimetre, and 1 if the floor was seen, 2 more if the ceiling was. */
+Json
+gapsOf(const BuildingRoom& room)
+{
+  const auto heights = [](const RoomColumn& column) {
+    return std::array<double, 2>{std::round(1e4 * column.floor) / 1e4,
+                                 std::round(1e4 * column.ceiling) / 1e4};
+  };
+  const auto seen = [](const RoomColumn& column) {
+    return (column.floor_seen ? 1 : 0) + (column.ceiling_seen ? 2 : 0);
+  };
+  Json runs = Json::array();
+  for (auto first = room.columns.begin(), end = first; first != room.columns.end();
+       first = end) {
+    for (++end; end != room.columns.end() &&
+                end->cell == Cell{first->cell.x + static_cast<int>(end - first),
+                                  first->cell.y} &&
+                heights(*end) == heights(*first) && seen(*end) == seen(*first);)
+      ++end;
+    const auto [floor, ceiling] = heights(*first);
+    runs.push_back(
+        {first->cell.x, first->cell.y, end - first, floor, ceiling, seen(*first)});
+  }
+  return runs;
+}
+
+void
+readGaps(const Json& runs, BuildingRoom& room)
+{
+  constexpr int longest = 1 << 20; // cells of a run
+  for (const Json& run : runs) {
+    const int x = run.at(0).get<int>();
+    const int count = run.at(2).get<int>();
+    const int seen = run.at(5).get<int>();
+    if (count < 1 || count > longest || std::abs(x) > (1 << 30))
+      throw ToolError("a run of gaps has " + std::to_string(count) +
+                      " cells from x = " + std::to_string(x) + " on");
+    for (int k = 0; k < count; ++k)
+      room.columns.push_back({{x + k, run.at(1).get<int>()},
+                              run.at(3).get<float>(),
+                              run.at(4).get<float>(),
+                              seen % 2 == 1,
+                              seen >= 2});
+  }
+}
 
 } // namespace
 
@@ -168,8 +222,10 @@ buildingToJson(const Building& building)
 {
   Json rooms = Json::array();
   for (const BuildingRoom& room : building.rooms)
-    rooms.push_back(
-        {{"id", room.id}, {"floor", room.floor}, {"ceiling", room.ceiling}});
+    rooms.push_back({{"id", room.id},
+                     {"floor", room.floor},
+                     {"ceiling", room.ceiling},
+                     {"gaps", gapsOf(room)}});
   Json links = Json::array();
   for (const RoomLink& link : building.links)
     links.push_back({{"rooms", link.rooms},
@@ -180,11 +236,15 @@ buildingToJson(const Building& building)
   return Json{{"format", format_name},
               {"version", format_version},
               {"unit", "m"},
+              {"grid",
+               {{"cell", building.grid.size()},
+                {"origin", building.frame.origin},
+                {"yaw", building.frame.yaw()}}},
               {"rooms", rooms},
               {"storeys", building.storeys},
               {"links", links},
               {"stairs", building.stairs}}
-             .dump(1) +
+             .dump() +
          "\n";
 }
 
@@ -200,11 +260,18 @@ loadBuilding(const std::string& path)
         json.value("version", 0) != format_version)
       throw ToolError("it is none that this pcl_room_segmentation writes");
     Building building;
+    const Json& grid = json.at("grid");
+    building.grid = CellGrid(grid.at("cell").get<double>());
+    grid.at("origin").get_to(building.frame.origin);
+    building.frame.rotation =
+        Eigen::AngleAxisd(grid.at("yaw").get<double>(), Eigen::Vector3d::UnitZ())
+            .toRotationMatrix();
     for (const Json& of_room : json.at("rooms")) {
       BuildingRoom& room = building.rooms.emplace_back();
       of_room.at("id").get_to(room.id);
       of_room.at("floor").get_to(room.floor);
       of_room.at("ceiling").get_to(room.ceiling);
+      readGaps(of_room.at("gaps"), room);
     }
     json.at("storeys").get_to(building.storeys);
     for (const Json& of_link : json.at("links")) {
