@@ -4,8 +4,9 @@
 
 A folder is one of pcl_simulate_indoor_scan with the result of pcl_sedr below it. An opening is found if one of the plan's
 overlaps it by half (intersection over union of width and height) within half a metre of the middle of its wall. Prints a
-line an opening that is wrong with --list, and the sums: precision, recall and F1 of doors and windows, of openings whatever
-their kind, how many have the wrong kind, errors of jambs, heads and sills, and leaves whose hinge and side are right.
+line an opening that is wrong with --list, and the sums: precision, recall and F1 of doors, windows and niches (with their backs
+within 5 cm), of openings whatever their kind, how many have the wrong kind, errors of jambs, heads and sills, and leaves whose
+hinge and side are right.
 """
 import argparse
 import json
@@ -32,6 +33,37 @@ def true_openings(folder):
 def found_openings(path):
     plan = json.loads(path.read_text(encoding="utf-8"))
     return [dict(o, a=np.array(o["start"]), b=np.array(o["end"])) for o in plan.get("openings", [])]
+
+
+def true_niches(folder):
+    """Niches of scene.json, placed as the scan; without it none."""
+    path = folder / "scene.json"
+    scene = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"rooms": []}
+    placement = {"yaw": 0.0, "shift": [0.0, 0.0, 0.0], **scene.get("placement", {})}
+    yaw, shift = np.radians(placement["yaw"]), np.array(placement["shift"])
+    turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
+    found = []
+    for room in scene["rooms"]:
+        outline = [np.array(p["at"] if isinstance(p, dict) else p) for p in room["outline"] if room.get("niches")]
+        for n in room.get("niches", []):
+            p, q = outline[n["wall"]], outline[(n["wall"] + 1) % len(outline)]
+            u = (q - p) / np.linalg.norm(q - p)
+            a, b = (turn @ (p + n[k] * u) + shift[:2] for k in ("from", "to"))
+            found.append(dict(n, kind="niche", a=a, b=b, bottom=n["sill"] + shift[2], top=n["head"] + shift[2]))
+    return found
+
+
+def found_niches(path):
+    """Niches of a plan, along their walls."""
+    found = []
+    for room in json.loads(path.read_text(encoding="utf-8"))["rooms"]:
+        for n in room["niches"]:
+            corners = [np.array(e["start"]) for e in n["boundary"]]
+            middle = np.append(sum(corners) / 4, 1)
+            bottom, top = (-(np.array(n[k]["plane"])[[0, 1, 3]] @ middle) / n[k]["plane"][2] for k in ("bottom", "top"))
+            found.append({"kind": "niche", "a": corners[0], "b": corners[3], "bottom": bottom, "top": top,
+                          "depth": np.linalg.norm(corners[1] - corners[0])})
+    return found
 
 
 def edges(true, found):
@@ -91,6 +123,10 @@ def grade(folder, plan, is_listed):
         f = [k for k, o in enumerate(found) if kind in ("any", o["kind"])]
         right = pairs([true[k] for k in t], [found[k] for k in f])
         sums[kind] = np.array([len(right), len(f), len(t)])
+    niches, backs = true_niches(folder), found_niches(plan) if plan else []
+    right = [(i, j) for i, j in pairs(niches, backs) if abs(niches[i]["depth"] - backs[j]["depth"]) < 0.05]
+    sums["niche"] = np.array([len(right), len(backs), len(niches)])
+    sums["niches_open"] = len(pairs(niches, found))
     if is_listed:
         mate = dict(matched)
         for k, t in enumerate(true):
@@ -107,11 +143,12 @@ def grade(folder, plan, is_listed):
 
 def columns(sums):
     """Columns of a table: true, found and right openings of each kind, errors of edges in cm, leaves."""
-    row = {f"{kind}s_{what}": int(n) for kind in ("door", "window") for what, n in zip(("right", "found", "true"), sums[kind])}
+    row = {f"{kind}s_{what}": int(n) for kind in ("door", "window", "niche") for what, n in zip(("right", "found", "true"), sums[kind])}
     row.update({f"openings_{what}": int(n) for what, n in zip(("right", "found", "true"), sums["any"])})
     errors = 100 * np.array(sums["errors"] or [0])
     row.update({f"edges_{name}_cm": round(float(e), 2) for name, e in (("median", np.median(errors)), ("95", np.percentile(errors, 95)))})
     row["wrong_kind"] = sums["confused"]
+    row["niches_open"] = sums["niches_open"]
     row.update({k: int(sums[k]) for k in ("leaves", "leaves_told", "leaves_right")})
     return row
 
@@ -121,13 +158,14 @@ def summary(rows):
     def total(key):
         return sum(r[key] for r in rows)
     lines = []
-    for kind in ("doors", "windows", "openings"):
+    for kind in ("doors", "windows", "niches", "openings"):
         right, found, true = (total(f"{kind}_{what}") for what in ("right", "found", "true"))
         lines.append(f"{kind}: {true} true, {found} found, {right} right: precision {right / max(found, 1):.3f}, "
                      f"recall {right / max(true, 1):.3f}, F1 {2 * right / max(found + true, 1):.3f}")
     many = max(total("openings_right"), 1)
     median, most = (sum(r[f"edges_{k}_cm"] * r["openings_right"] for r in rows) / many for k in ("median", "95"))
-    lines.append(f"edges: median {median:.1f} cm, 95 % within {most:.1f} cm; {total('wrong_kind')} of the wrong kind")
+    lines.append(f"edges: median {median:.1f} cm, 95 % within {most:.1f} cm; {total('wrong_kind')} of the wrong kind, "
+                 f"{total('niches_open')} niches are openings")
     lines.append(f"open leaves: {total('leaves')} true, {total('leaves_told')} told, {total('leaves_right')} right")
     return lines
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_kind.h"
-#include "opening_leaf.h"
 #include "opening_search.h"
 
 #include <pcl/impl/instantiate.hpp>
@@ -36,8 +34,7 @@ findOpenings(const PointView& points,
     return problem;
   OpeningParameters parameters;
   parameters.sizes.max_depth = priors.max_wall;
-  parameters.sizes.behind =
-      std::max(parameters.sizes.behind, priors.max_niche_depth + 2 * priors.run_gap);
+  parameters.sizes.max_niche = priors.max_niche_depth;
   parameters.threads = threads;
   auto found =
       std::make_shared<OpeningSearch>(plan, points, indices.get(), sight, parameters);
@@ -46,9 +43,11 @@ findOpenings(const PointView& points,
     return "none of the " + std::to_string(indices ? indices->size() : points.size()) +
            " points lies at a wall of the floor plan";
   plan.openings.clear();
-  findNiches(priors, *found, plan);
+  for (PlanRoom& room : plan.rooms)
+    room.niches.clear();
   findLeaves(plan, points, indices.get(), parameters.sizes, threads, found->found);
   nameOpenings(plan, *found, parameters.sizes);
+  placeNiches(*found, plan);
   for (const FoundOpening& opening : found->found)
     plan.openings.push_back(opening.opening);
   measureEvidence(*found, threads, plan);

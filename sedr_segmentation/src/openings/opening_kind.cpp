@@ -1,35 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_kind.h"
+#include "opening_search.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief Weights of the measures of an opening, nats: of each kind over a door. Fitted
- * by logistic regression, see doc/opening_detection.md; that
- * of a filled passage was set, as closed double doors were missing. */
-struct KindWeights {
-  OpeningFeatures none;
-  OpeningFeatures window;
-  OpeningFeatures passage;
-};
-
-const KindWeights kind_weights{
-    // one raised sill room narrow wide tall low_lintel filled around leaf closed low
-    {2.8, 0.3, 1.4, -1.3, 3.7, 1.1, 1.5, 0.8, 0.4, -4.3, -1.5, 1.7, 3.5},
-    {-2.0, 3.9, 2.0, -3.3, -0.6, 1.7, 0.6, 0.8, 0.2, 0.5, -1.2, -1.1, -2.7},
-    {-3.8, -0.3, -0.4, -0.2, -0.1, 3.9, 1.4, 0.0, -6.7, 0.1, -2.3, 0.1, -0.3}};
-
-double
-product(const OpeningFeatures& a, const OpeningFeatures& b)
-{
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    sum += a[k] * b[k];
-  return sum;
-}
+/** @brief Weights of the measures of an opening, nats: of none, window, passage and
+ * niche over a door. Fitted by logistic regression, see doc/opening_detection.md. */
+const std::array<OpeningFeatures, 4> kind_weights{
+    {// one raised sill room narrow wide_in tall low_lintel filled around leaf closed
+     // low back beyond deep low_head split lower upper solid wide_out
+     {{3.5, 0.0, 2.2, -1.9, 4.1, 0.8, 1.5, 1.3, 0.2, -4.6, -1.7,
+       1.3, 4.2, 0.5, 0.2,  0.3, 0.4, 2.4, 0.7, 1.3, -0.3, 1.7}},
+     {{-0.7, 4.5,  1.8,  -4.8, -0.5, 1.3,  1.0,  0.9,  0.1,  0.4,  -1.6,
+       -1.1, -3.1, -0.7, -0.2, -0.3, -0.2, -1.2, -0.5, -1.5, -0.2, 2.5}},
+     {{-4.2, -0.2, -0.4, -0.4, -0.1, 4.4,  1.9,  -0.1, -6.2, 0.2, -3.0,
+       0.1,  -0.3, 0.2,  0.0,  0.1,  -0.1, -0.1, -0.1, 0.0,  0.0, 3.5}},
+     {{-2.9, 0.9,  0.9, -2.1, 0.3, -0.3, -0.6, -0.4, 1.5,  -0.7, -0.9,
+       2.4,  -0.3, 2.0, 0.1,  0.9, 3.3,  -0.1, 2.3,  -0.8, 1.0,  0.9}}}};
 
 OpeningFeatures
 featuresOf(const Floorplan& plan,
@@ -44,40 +37,64 @@ featuresOf(const Floorplan& plan,
   const double floor = highestFloor(plan, o);
   const double sill = o.bottom - floor;
   const double head = o.top - floor;
+  const double room_behind = o.rooms[1] != 0 ? 1.0 : 0.0;
+  const double wide = std::clamp(o.width() - opening_numbers.narrow_door, 0.0, 1.5);
   const double raised = std::clamp(sill / opening_numbers.raised, 0.0, 1.0);
   return {1,
           raised,
           std::clamp(sill, 0.0, 1.2),
-          o.rooms[1] != 0 ? 1.0 : 0.0,
+          room_behind,
           std::clamp(opening_numbers.narrow_door - o.width(), 0.0, 0.5),
-          std::clamp(o.width() - opening_numbers.narrow_door, 0.0, 1.5),
+          wide * room_behind,
           std::clamp(head - opening_numbers.high_door, 0.0, 1.0),
           std::clamp(sizes.usual_lintel - (ceiling - o.top), 0.0, sizes.usual_lintel),
           found.filled,
           found.around,
           o.hinge != OpeningHinge::Unknown ? 1.0 : 0.0,
-          raised * found.closed,
-          std::clamp(opening_numbers.low_window - o.height(), 0.0, 0.6)};
+          raised * std::max(found.closed, found.solid),
+          std::clamp(opening_numbers.low_window - o.height(), 0.0, 0.6),
+          found.back.closed,
+          std::min(found.back.beyond, 0.5),
+          std::min(found.back.depth, 0.4) * found.back.closed,
+          (1 - raised) * std::clamp(sizes.min_head - head, 0.0, 1.0),
+          found.split,
+          found.part == 1 ? 1.0 : 0.0,
+          found.part == 2 ? 1.0 : 0.0,
+          found.solid,
+          wide * (1 - room_behind)};
 }
 
-/** @brief Sets the kind of what is likelier an opening than none.
- * @return whether it is */
-bool
+/** @brief Sets what a candidate most likely is, and how much likelier than nothing.
+ */
+void
 nameOpening(const OpeningFeatures& features,
             const OpeningSizes& sizes,
             FoundOpening& found)
 {
-  const double none = std::exp(product(kind_weights.none, features));
-  const double window = std::exp(product(kind_weights.window, features));
-  const double passage = std::exp(product(kind_weights.passage, features));
+  std::array<double, 4> odds{};
+  for (std::size_t k = 0; k < odds.size(); ++k)
+    odds[k] = std::exp(std::inner_product(features.begin(), features.end(),
+                                          kind_weights[k].begin(), 0.0));
+  const auto [none, window, passage, recess] = odds;
+  const Priors priors;
+  // No pane or leaf lies deeper than the wall is thick, or its other face.
+  const bool is_deep = found.part == 0 && found.opening.walls.size() < 2 &&
+                       found.back.closed >= priors.share_closed &&
+                       found.filled <= 1 - priors.share_closed;
+  const double niche = !found.isNiche() ? 0
+                       : is_deep        ? std::numeric_limits<double>::infinity()
+                                        : recess;
   const double any = 1 + window + passage;
   const std::pair<double, OpeningKind> likeliest = std::max(
       {std::pair(1.0, OpeningKind::Door), std::pair(window, OpeningKind::Window),
        std::pair(passage, OpeningKind::Passage)});
   PlanOpening& o = found.opening;
+  if (niche < any)
+    found.niche = {};
+  found.odds = std::log(std::max(any, niche) / none);
   const bool is_low =
       likeliest.second != OpeningKind::Window && o.height() < sizes.min_head;
-  o.confidence = likeliest.first / (any + none);
+  o.confidence = likeliest.first / (any + none + niche);
   o.kind = is_low || likeliest.first < opening_numbers.min_confidence * any
                ? OpeningKind::Unknown
                : likeliest.second;
@@ -88,7 +105,6 @@ nameOpening(const OpeningFeatures& features,
   }
   else if (found.filled > sizes.min_leaf_share)
     o.state = OpeningState::Closed;
-  return any >= none;
 }
 
 } // namespace
@@ -96,11 +112,21 @@ nameOpening(const OpeningFeatures& features,
 void
 nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& sizes)
 {
-  std::vector<FoundOpening> named;
-  for (const FoundOpening& candidate : search.found) {
-    FoundOpening opening = candidate;
-    if (nameOpening(featuresOf(plan, search, candidate, sizes), sizes, opening))
-      named.push_back(opening);
+  for (FoundOpening& each : search.found) {
+    each.niche = nicheOf(plan, search, each, sizes);
+    nameOpening(featuresOf(plan, search, each, sizes), sizes, each);
+  }
+  std::vector<FoundOpening> named; // each whole one or its parts
+  for (auto whole = search.found.begin(); whole != search.found.end();) {
+    double of_parts = 0;
+    auto end = whole + 1;
+    for (; end != search.found.end() && end->part != 0; ++end)
+      of_parts += std::max(0.0, end->odds);
+    const bool is_whole = whole->odds >= of_parts;
+    std::copy_if(whole + (is_whole ? 0 : 1), is_whole ? whole + 1 : end,
+                 std::back_inserter(named),
+                 [](const FoundOpening& each) { return each.odds >= 0; });
+    whole = end;
   }
   search.found = std::move(named);
   search.keepEachOnce();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_leaf.h"
+#include "opening_search.h"
 
 #include "sedr_filters/src/base/parallel.h"
 

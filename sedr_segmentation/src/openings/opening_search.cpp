@@ -99,8 +99,9 @@ public:
                 const SightLines* sight)
   {
     const std::vector<WallSide>& sides = search_.sides;
-    auto beside = pointsBeside(sides, points, indices, sizes_.before,
-                               std::max(sizes_.behind, sizes_.max_depth));
+    auto beside = pointsBeside(
+        sides, points, indices, sizes_.before,
+        std::max(sizes_.max_niche + 2 * Priors::run_gap, sizes_.max_depth));
     const std::vector<SightLine> rays =
         sight ? sight->lines() : std::vector<SightLine>();
     std::vector<std::optional<WallMap>> maps(sides.size());
@@ -111,8 +112,9 @@ public:
     parallelFor(sides.size(), 1, parameters_.threads, [&](std::size_t k) {
       maps[k].emplace(plan_.rooms[sides[k].room], sides[k], std::move(beside[k]),
                       sizes_, rays, [&](double along, double height) {
-                        return std::min({backs_[k].depthAt(along, height),
-                                         sizes_.shallow, sizes_.max_depth});
+                        const SideBehind* const face = backs_[k].at(along, height);
+                        return face ? face->depth
+                                    : std::numeric_limits<double>::infinity();
                       });
     });
     for (auto& map : maps)
@@ -149,26 +151,49 @@ private:
         rectangle.top = map.heightOf(0) + map.cell() * arch.top;
         rectangle.rise = map.cell() * arch.rise;
       }
-      FoundOpening candidate;
-      candidate.side = side;
-      const SideBehind* const behind = backs_[side].at(
-          (rectangle.from + rectangle.to) / 2, (rectangle.bottom + rectangle.top) / 2);
-      candidate.behind = behind ? behind->side : search_.sides.size();
-      candidate.gain = cells.gain;
-      candidate.around = seenAround(candidate, rectangle);
-      if (candidate.around < sizes_.min_around)
-        continue;
-      candidate.rectangle = fittedEdges(map, rectangle, sizes_);
-      describe(candidate);
-      const PlanOpening& o = candidate.opening;
-      if (o.rooms[0] == o.rooms[1] &&
-          (candidate.behind == search_.sides.size() ||
-           plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
-        continue; // no wall with two faces is between a room and itself
-      candidate.closed = closedShare(candidate);
-      found.push_back(candidate);
+      addFound(side, rectangle, 0, found);
     }
     return found;
+  }
+
+  /** @brief Adds a rectangle, and its parts where its lower one only has a back. */
+  void addFound(std::size_t side,
+                const WallRectangle& rectangle,
+                int part,
+                std::vector<FoundOpening>& found) const
+  {
+    const WallMap& map = search_.maps[side];
+    FoundOpening candidate;
+    candidate.side = side;
+    candidate.part = part;
+    const SideBehind* const behind = backs_[side].at(
+        (rectangle.from + rectangle.to) / 2, (rectangle.bottom + rectangle.top) / 2);
+    candidate.behind = behind ? behind->side : search_.sides.size();
+    candidate.around = seenAround(candidate, rectangle);
+    if (candidate.around < sizes_.min_around)
+      return;
+    candidate.rectangle = fittedEdges(map, rectangle, sizes_);
+    describe(candidate);
+    const PlanOpening& o = candidate.opening;
+    if (o.rooms[0] == o.rooms[1] &&
+        (candidate.behind == search_.sides.size() ||
+         plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
+      return; // no wall with two faces is between a room and itself
+    const WallRectangle& at = candidate.rectangle;
+    candidate.closed = map.shareOf(WallCell::Seen, at.from, at.to, at.bottom, at.top);
+    candidate.solid = solidShare(candidate);
+    candidate.back = backOf(map, at);
+    const double head =
+        part == 0 && rectangle.rise == 0 ? headOfBack(map, at, sizes_) : at.bottom;
+    candidate.split = (head - at.bottom) / (at.top - at.bottom);
+    found.push_back(candidate);
+    if (candidate.split > 0) {
+      WallRectangle below = rectangle;
+      WallRectangle above = rectangle;
+      below.top = above.bottom = head;
+      addFound(side, below, 1, found);
+      addFound(side, above, 2, found);
+    }
   }
 
   CellGains gainsOn(std::size_t k) const
@@ -203,20 +228,18 @@ private:
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
   }
 
-  /** @brief Returns the share of an opening in which one face of its wall was seen, of
-   * that face of which more was. */
-  double closedShare(const FoundOpening& found) const
+  /** @brief Returns the share of an opening in which the face behind was seen. */
+  double solidShare(const FoundOpening& found) const
   {
-    const double here = search_.seenInside(found);
     if (found.behind == search_.sides.size())
-      return here;
+      return 0;
     const PlanElement& line = search_.sides[found.side].line;
     const PlanElement& back = search_.sides[found.behind].line;
     const WallRectangle& at = found.rectangle;
     const auto [from, to] = std::minmax(
         {back.project(line.pointAt(at.from)), back.project(line.pointAt(at.to))});
-    return std::max(here, search_.maps[found.behind].shareOf(WallCell::Seen, from, to,
-                                                             at.bottom, at.top));
+    return search_.maps[found.behind].shareOf(WallCell::Seen, from, to, at.bottom,
+                                              at.top);
   }
 
   /** @brief Returns the share of jambs and head beside which a face was seen, on either
@@ -342,13 +365,6 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
   finder.find();
 }
 
-double
-OpeningSearch::seenInside(const FoundOpening& opening) const
-{
-  const WallRectangle& at = opening.rectangle;
-  return maps[opening.side].shareOf(WallCell::Seen, at.from, at.to, at.bottom, at.top);
-}
-
 void
 OpeningSearch::keepEachOnce()
 {
@@ -356,17 +372,19 @@ OpeningSearch::keepEachOnce()
   found.clear();
   std::stable_sort(
       all.begin(), all.end(),
-      [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
+      [](const FoundOpening& a, const FoundOpening& b) { return a.odds > b.odds; });
   for (const FoundOpening& candidate : all) {
     const auto same =
         std::find_if(found.begin(), found.end(), [&](const FoundOpening& other) {
-          return areSame(other.opening, candidate.opening);
+          const bool are_back_to_back =
+              other.isNiche() && candidate.isNiche() && other.side != candidate.side;
+          return !are_back_to_back && areSame(other.opening, candidate.opening);
         });
     if (same == found.end())
       found.push_back(candidate);
     // A leaf may be flush with one face: the other side shows the edges.
-    else if (candidate.gain > 0.9 * same->gain && candidate.behind == same->side &&
-             seenInside(candidate) < seenInside(*same))
+    else if (candidate.odds > 0.9 * same->odds && candidate.behind == same->side &&
+             candidate.closed < same->closed)
       *same = candidate;
   }
 }

@@ -21,24 +21,43 @@ struct OpeningParameters {
   unsigned threads = 0; ///< 0: all processors
 };
 
-/** @brief What tells whether there is an opening, and of what kind: 1; how far it is
- * raised, 0 on the floor to 1; height of the sill, metres; 1 if a room is behind it;
- * how much narrower, wider and higher it is than usual doors; how much lower than usual
- * its lintel; share of its area that shows something within the wall; share of its
- * jambs and head beside which a wall was seen; 1 if a leaf stands open beside it; share
- * of a raised one in which a face was seen; how much lower than usual windows it is. */
-using OpeningFeatures = std::array<double, 13>;
+/** @brief What tells whether there is an opening or niche, and of what kind: 1; how far
+ * it is raised, 0 on the floor to 1; height of the sill, metres; 1 if a room is behind
+ * it; how much narrower than usual doors it is, wider with a room behind it, and
+ * higher; how much lower than usual its lintel; share of its area that shows something
+ * within the wall; share of its jambs and head beside which a wall was seen; 1 if a
+ * leaf stands open beside it; share of a raised one in which a face was seen; how much
+ * lower than usual windows it is; shares that a back closes and that show something
+ * farther behind; depth of the back; how much lower than a door it is on the floor;
+ * share of its height below which it has a back and above none; 1 if it is the lower,
+ * or the upper part of such a one; share in which the face behind was seen; how much
+ * wider than usual doors it is with no room behind it. */
+using OpeningFeatures = std::array<double, 22>;
+
+/** @brief What closes a rectangle of a wall behind its face. */
+struct OpeningBack {
+  double depth = 0;  ///< most usual of what is farthest, metres; 0: nothing is seen
+  double closed = 0; ///< share of the cells that end there
+  double beyond = 0; ///< share of the cells that show something farther behind
+};
 
 /** @brief An opening on the map of a side. */
 struct FoundOpening {
   std::size_t side = 0;
   std::size_t behind = 0; ///< the side behind it; the number of sides: none
   WallRectangle rectangle;
-  double gain = 0;   ///< nats
   double filled = 0; ///< share that shows something within the wall
   double around = 0; ///< share of jambs and head beside which a wall was seen
-  double closed = 0; ///< share in which one face was seen, of that of which more was
+  double closed = 0; ///< share in which the face of its side was seen
+  double solid = 0;  ///< share in which the face behind was seen
+  OpeningBack back;
+  double split = 0; ///< share of its height below which it has a back and above none
+  double odds = 0;  ///< log-odds of the likeliest kind over none
+  int part = 0; ///< of the one before: 1, its lower part; 2, its upper one; 0: whole
   PlanOpening opening;
+  PlanNiche niche; ///< without a boundary: it is none
+
+  bool isNiche() const { return !niche.boundary.elements.empty(); }
 };
 
 /** @brief The maps of all sides of walls, and the openings on them. */
@@ -55,27 +74,52 @@ struct OpeningSearch {
                 const SightLines* sight,
                 const OpeningParameters& parameters);
 
-  /** @brief Keeps of those that are the same, seen from two sides, the best one. */
+  /** @brief Keeps of those that are the same, seen from two sides, the likeliest. */
   void keepEachOnce();
-
-  /** @brief Returns the share of an opening in which the face of its side was seen. */
-  double seenInside(const FoundOpening& opening) const;
 };
 
 /** @brief Returns the height of the floor before or behind an opening, the higher one.
  */
 double highestFloor(const Floorplan& plan, const PlanOpening& opening);
 
-/** @brief Sets the niches of the rooms to those of the candidates for openings that
- * have a back.
- *
- * A niche is a rectangle in a straight wall most cells of which show nothing on the
- * wall or before it and end at one depth behind it, and hardly any shows something
- * farther behind. Shallow ones are closed doors or blinds, those from floor to ceiling
- * parts of the room. None reaches into a room or a niche of another one. Of niches
- * above each other, only the largest one is kept, as a plan has one floor and one
- * ceiling per position. */
-void findNiches(const Priors& priors, const OpeningSearch& search, Floorplan& plan);
+/** @brief Returns the back of a rectangle, away from its rim. O(cells log cells). */
+OpeningBack backOf(const WallMap& map, const WallRectangle& at);
+
+/** @brief Returns the height of the border between a lower part of a rectangle that has
+ * a back and an upper one that has none at that depth; its bottom: there is none. */
+double
+headOfBack(const WallMap& map, const WallRectangle& at, const OpeningSizes& sizes);
+
+/** @brief Sets hinge, swing and state of the openings beside which a leaf stands open:
+ * a sheet as wide and high as the opening, or two of half its width, that begins at a
+ * jamb and ends. Those are turned so that the leaf is to the left of their direction.
+ * Others stay unknown.
+ * @param indices of the points to use; null: all */
+void findLeaves(const Floorplan& plan,
+                const PointView& points,
+                const pcl::Indices* indices,
+                const OpeningSizes& sizes,
+                unsigned threads,
+                std::vector<FoundOpening>& found);
+
+/** @brief Keeps those that are openings or niches by log-odds of what was measured of
+ * them, each once and a whole one or its parts, and names their kinds. Below a
+ * probability of one half a kind is unknown, as is that of a door or passage too low to
+ * walk. Only doors have leaves; one that shuts a door within its wall is closed. */
+void
+nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& sizes);
+
+/** @brief Returns a candidate as a niche of its room: a box behind a straight wall, up
+ * to its back. Without a boundary if it cannot be one: it has no back or a deep one, it
+ * reaches from floor to ceiling and is a part of the room, or a room is there. */
+PlanNiche nicheOf(const Floorplan& plan,
+                  const OpeningSearch& search,
+                  const FoundOpening& found,
+                  const OpeningSizes& sizes);
+
+/** @brief Moves those found that are niches to their rooms. Of niches above each other
+ * the likeliest is kept, as a plan has one floor and one ceiling per position. */
+void placeNiches(OpeningSearch& search, Floorplan& plan);
 
 /** @brief Returns whether a niche of a room overlaps that room, another one of the same
  * heights or a niche of one. */

@@ -38,7 +38,7 @@ struct OpeningSizes {
   double max_depth = 0.6;      ///< of a wall: Priors::max_wall
   double shallow = 0.3;        ///< of a wall without a known face behind it
   double before = 1.2;         ///< depth of what hides it
-  double behind = 0.9;         ///< depth of what may be the wall in its place
+  double max_niche = 1;        ///< depth of a niche: Priors::max_niche_depth
   double on_floor = 0.06;      ///< maximum height of a threshold
   double min_around = 0.3;     ///< share of jambs and head with a wall beside them
   double beside = 0.1;         ///< distance from them, beyond the points of a corner;
@@ -71,8 +71,9 @@ struct OpeningNumbers {
   double raised = 0.3;         ///< sill above which no opening is a door, metres
   double low_window = 0.9;     ///< height of the lowest usual window, metres
   double back_step =
-      0.05;               ///< between places where the side behind is looked up, metres
-  double same_wall = 0.6; ///< across a wall between both sides of an opening, metres
+      0.05; ///< between places where the side behind is looked up, metres
+  double back_band = 0.03; ///< of points of a back, metres
+  double same_wall = 0.6;  ///< across a wall between both sides of an opening, metres
   double same_share = 0.3; ///< of the smaller of two that are one opening
   double inside = 0.05; ///< of a room beside its wall, where heights are read, metres
   double noise_band = 0.06;    ///< of the points that show the noise, metres

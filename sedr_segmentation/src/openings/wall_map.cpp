@@ -20,7 +20,7 @@ WallMap::WallMap(const PlanRoom& room,
                  std::vector<SidePoint> points,
                  const OpeningSizes& sizes,
                  const std::vector<SightLine>& rays,
-                 const std::function<double(double, double)>& depth)
+                 const std::function<double(double, double)>& thickness)
     : length_(side.line.length())
     , base_(side.floor)
     , top_(side.ceiling)
@@ -36,8 +36,13 @@ WallMap::WallMap(const PlanRoom& room,
   findExtent(room, side);
   for (std::size_t c = 0; c < columns_; ++c)
     for (std::size_t r = 0; r < rows_; ++r)
-      depths_.push_back(static_cast<float>(
-          depth(cell_ * (static_cast<double>(c) + 0.5), heightOf(r) + cell_ / 2)));
+      faces_.push_back(static_cast<float>(
+          thickness(cell_ * (static_cast<double>(c) + 0.5), heightOf(r) + cell_ / 2)));
+  const float nearest = *std::min_element(faces_.begin(), faces_.end());
+  for (const float face : faces_)
+    depths_.push_back(
+        std::min(std::isfinite(face) ? face : nearest,
+                 static_cast<float>(std::min(sizes.shallow, sizes.max_depth))));
   count(side, rays);
   closeGaps();
   findOffsets(side.line);
@@ -334,7 +339,8 @@ WallMap::findOffsets(const PlanElement& line)
     const std::size_t i = indexOf(p);
     if (i == none)
       continue;
-    farthest_[i] = std::min(farthest_[i], offset);
+    if (p.offset > tolerance_ - faces_[i])
+      farthest_[i] = std::min(farthest_[i], offset);
     float& nearest = offsets_[i];
     if (std::abs(offset) <= on)
       nearest = 0;

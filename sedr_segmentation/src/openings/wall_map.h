@@ -36,14 +36,14 @@ public:
   /** @brief Sorts points into cells whose size follows from their spacing.
    * @param points before and behind the side; those that it keeps are near the face
    * @param rays of the scanners; none: unknown
-   * @param depth returns the thickness of the wall, at most, at a place along it and a
-   * height */
+   * @param thickness returns how far behind it another face is known at a place along
+   * it and a height; infinite: nowhere */
   WallMap(const PlanRoom& room,
           const WallSide& side,
           std::vector<SidePoint> points,
           const OpeningSizes& sizes,
           const std::vector<SightLine>& rays,
-          const std::function<double(double, double)>& depth);
+          const std::function<double(double, double)>& thickness);
 
   double cell() const { return cell_; }
   std::size_t columns() const { return columns_; }
@@ -69,8 +69,8 @@ public:
     return offsets_[column * rows_ + row];
   }
 
-  /** @brief Returns likewise what is farthest behind the surface in a cell; 0: nothing.
-   */
+  /** @brief Returns likewise what is farthest behind the surface in a cell, before the
+   * other face of the wall where that is known; 0: nothing. */
   float farthestAt(std::size_t column, std::size_t row) const
   {
     return farthest_[column * rows_ + row];
@@ -128,6 +128,7 @@ private:
   std::vector<double> floors_;   ///< of each column
   std::vector<double> ceilings_; ///< of each column
   std::vector<float> depths_;    ///< of each cell
+  std::vector<float> faces_;     ///< of each cell, depth of the other face
   std::vector<WallCell> cells_;
   std::vector<float> offsets_;
   std::vector<float> farthest_;

@@ -9,88 +9,34 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief Returns how deep the back of a candidate lies behind its wall, metres; 0 if
- * it has none. */
-double
-depthOfBack(const WallMap& map, const WallRectangle& at, const Priors& priors)
+/** @brief How deep the nearest and the farthest thing in a cell lie behind the face. */
+struct CellDepths {
+  double nearest;
+  double farthest; ///< 0: nothing is behind the face
+};
+
+/** @brief Returns the depths in the cells of a rectangle, away from its rim; without
+ * those that are hidden. */
+std::vector<CellDepths>
+depthsIn(const WallMap& map, const WallRectangle& at)
 {
   const double cell = map.cell();
-  const double tolerance = std::max(map.tolerance(), 0.6 * priors.wall_band);
-  std::vector<std::pair<double, double>> offsets; // of the nearest and farthest thing
-  std::vector<double> depths;
+  std::vector<CellDepths> depths;
   for (std::size_t c = 0; c < map.columns(); ++c)
     for (std::size_t r = 0; r < map.rows(); ++r) {
       const double s = cell * (static_cast<double>(c) + 0.5);
       const double z = map.heightOf(r) + cell / 2;
-      if (s < at.from + cell || s > at.to - cell || z < at.bottom + cell ||
-          z > at.top - cell || map.at(c, r) == WallCell::Beyond)
-        continue;
-      offsets.emplace_back(map.offsetAt(c, r), map.farthestAt(c, r));
-      if (const double depth = -map.offsetAt(c, r);
-          depth > tolerance && depth <= priors.max_niche_depth + tolerance)
-        depths.push_back(depth);
+      const WallCell state = map.at(c, r);
+      if (s > at.from + cell && s < at.to - cell && z > at.bottom + cell &&
+          z < at.top - cell && state != WallCell::Beyond && state != WallCell::Hidden)
+        depths.push_back({-map.offsetAt(c, r), -map.farthestAt(c, r)});
     }
-  if (depths.empty())
-    return 0;
-  std::sort(depths.begin(), depths.end());
-  const auto [first, last] = densestWindow(depths, 2 * tolerance);
-  const double depth = depths[(first + last) / 2];
-  std::vector<double> backs; // in the middle of their noise
-  double closed = 0;
-  double beyond = 0;
-  for (const auto& [nearest, farthest] : offsets) {
-    const bool is_closed = std::abs(nearest + depth) <= 1.5 * tolerance;
-    const bool goes_on = farthest < -depth - 1.5 * tolerance;
-    closed += is_closed ? 1 : 0;
-    beyond += goes_on ? 1 : 0;
-    if (is_closed && !goes_on)
-      backs.push_back(-(nearest + farthest) / 2);
-  }
-  const auto all = static_cast<double>(offsets.size());
-  return !backs.empty() && closed >= priors.share_closed * all &&
-                 beyond <= priors.share_little / 2 * all &&
-                 depth >= priors.min_niche_depth && depth <= priors.max_niche_depth
-             ? middleValue(std::move(backs))
-             : 0;
-}
-
-/** @brief Returns a candidate as a niche of its room, without one if it is none. */
-PlanNiche
-nicheOf(const PlanRoom& room,
-        const WallSide& side,
-        const WallMap& map,
-        const FoundOpening& found,
-        const Priors& priors)
-{
-  PlanNiche niche;
-  const WallRectangle& at = found.rectangle;
-  const PlanElement& wall = side.line;
-  if (!side.isWall() || wall.isArc() || at.to - at.from < priors.min_recess ||
-      at.top - at.bottom < priors.min_recess)
-    return niche;
-  const Eigen::Vector2d inside =
-      wall.pointAt((at.from + at.to) / 2) + opening_numbers.inside * wall.normalAt(0);
-  const bool is_on_floor =
-      found.opening.bottom - room.floorAt(inside) < priors.wall_band;
-  const bool is_at_ceiling = at.top > room.ceilingAt(inside) - priors.wall_band;
-  const double depth = is_on_floor && is_at_ceiling ? 0 : depthOfBack(map, at, priors);
-  if (!(depth > 0))
-    return niche;
-  const Eigen::Vector2d out = -depth * wall.normalAt(0);
-  const Eigen::Vector2d left = wall.pointAt(at.from);
-  const Eigen::Vector2d right = wall.pointAt(at.to);
-  niche.boundary.elements = {segment(left, left + out),
-                             segment(left + out, right + out),
-                             segment(right + out, right), segment(right, left)};
-  niche.bottom = is_on_floor ? room.floorSlab(room.floorDetailAt(inside))
-                             : horizontalSlab(at.bottom);
-  niche.top =
-      is_at_ceiling ? room.ceilingSlab(room.detailAt(inside)) : horizontalSlab(at.top);
-  return niche;
+  return depths;
 }
 
 /** @brief Returns whether two regions in plan overlap. */
@@ -104,6 +50,63 @@ overlap(const PlanLoop& a, const PlanLoop& b)
 }
 
 } // namespace
+
+OpeningBack
+backOf(const WallMap& map, const WallRectangle& at)
+{
+  const double tolerance = std::max(map.tolerance(), opening_numbers.back_band);
+  const std::vector<CellDepths> cells = depthsIn(map, at);
+  std::vector<double> depths;
+  for (const CellDepths& cell : cells)
+    if (cell.farthest > tolerance)
+      depths.push_back(cell.farthest);
+  OpeningBack back;
+  if (depths.empty())
+    return back;
+  std::sort(depths.begin(), depths.end());
+  const auto [first, last] = densestWindow(depths, 2 * tolerance);
+  back.depth = depths[(first + last) / 2];
+  std::vector<double> middles; // of their noise
+  for (const CellDepths& cell : cells) {
+    const double off = cell.farthest - back.depth;
+    back.beyond += off > 1.5 * tolerance ? 1 : 0;
+    back.closed += std::abs(off) <= 1.5 * tolerance ? 1 : 0;
+    if (std::abs(off) <= 1.5 * tolerance &&
+        cell.farthest - cell.nearest < 3 * tolerance)
+      middles.push_back((cell.nearest + cell.farthest) / 2);
+  }
+  back.beyond /= static_cast<double>(cells.size());
+  back.closed /= static_cast<double>(cells.size());
+  if (!middles.empty())
+    back.depth = middleValue(std::move(middles));
+  return back;
+}
+
+double
+headOfBack(const WallMap& map, const WallRectangle& at, const OpeningSizes& sizes)
+{
+  const double tolerance = std::max(map.tolerance(), opening_numbers.back_band);
+  const double all = backOf(map, at).closed;
+  double best = std::max(all, 1 - all) * (at.top - at.bottom);
+  double head = at.bottom;
+  for (double z = at.bottom + sizes.min_height; z < at.top - sizes.min_height;
+       z += map.cell()) {
+    const OpeningBack below = backOf(map, {at.from, at.to, at.bottom, z});
+    const auto above = depthsIn(map, {at.from, at.to, z, at.top});
+    const auto others =
+        std::count_if(above.begin(), above.end(), [&](const CellDepths& cell) {
+          return std::abs(cell.farthest - below.depth) > 1.5 * tolerance;
+        });
+    const double open =
+        static_cast<double>(others) / std::max(1.0, static_cast<double>(above.size()));
+    if (const double right = below.closed * (z - at.bottom) + open * (at.top - z);
+        right > best) {
+      best = right;
+      head = z;
+    }
+  }
+  return head;
+}
 
 bool
 isShared(const Floorplan& plan, const PlanRoom& room, const PlanNiche& niche)
@@ -125,36 +128,57 @@ isShared(const Floorplan& plan, const PlanRoom& room, const PlanNiche& niche)
   });
 }
 
-void
-findNiches(const Priors& priors, const OpeningSearch& search, Floorplan& plan)
+PlanNiche
+nicheOf(const Floorplan& plan,
+        const OpeningSearch& search,
+        const FoundOpening& found,
+        const OpeningSizes& sizes)
 {
-  for (PlanRoom& room : plan.rooms)
-    room.niches.clear();
-  using Candidate = std::pair<const FoundOpening*, PlanNiche>;
-  std::vector<Candidate> candidates;
-  for (const FoundOpening& found : search.found) {
-    const WallSide& side = search.sides[found.side];
-    PlanNiche niche =
-        nicheOf(plan.rooms[side.room], side, search.maps[found.side], found, priors);
-    if (!niche.boundary.elements.empty())
-      candidates.emplace_back(&found, std::move(niche));
-  }
-  const auto areaOf = [](const Candidate& candidate) {
-    const WallRectangle& at = candidate.first->rectangle;
-    return (at.to - at.from) * (at.top - at.bottom);
-  };
-  std::stable_sort(
-      candidates.begin(), candidates.end(),
-      [&](const Candidate& a, const Candidate& b) { return areaOf(a) > areaOf(b); });
-  for (Candidate& candidate : candidates) {
-    PlanRoom& room = plan.rooms[search.sides[candidate.first->side].room];
+  const WallSide& side = search.sides[found.side];
+  const PlanRoom& room = plan.rooms[side.room];
+  const WallRectangle& at = found.rectangle;
+  const PlanElement& wall = side.line;
+  const double depth = found.back.depth;
+  const Priors priors;
+  const Eigen::Vector2d inside =
+      wall.pointAt((at.from + at.to) / 2) + opening_numbers.inside * wall.normalAt(0);
+  const bool is_on_floor =
+      found.opening.bottom - room.floorAt(inside) < priors.wall_band;
+  const bool is_at_ceiling = at.top > room.ceilingAt(inside) - priors.wall_band;
+  if (!side.isWall() || wall.isArc() || !(depth > 0) || depth > sizes.max_niche ||
+      found.back.beyond > priors.share_little / 2 || (is_on_floor && is_at_ceiling))
+    return {};
+  const Eigen::Vector2d out = -depth * wall.normalAt(0);
+  const Eigen::Vector2d left = wall.pointAt(at.from);
+  const Eigen::Vector2d right = wall.pointAt(at.to);
+  PlanNiche niche;
+  niche.boundary.elements = {segment(left, left + out),
+                             segment(left + out, right + out),
+                             segment(right + out, right), segment(right, left)};
+  niche.bottom = is_on_floor ? room.floorSlab(room.floorDetailAt(inside))
+                             : horizontalSlab(at.bottom);
+  niche.top =
+      is_at_ceiling ? room.ceilingSlab(room.detailAt(inside)) : horizontalSlab(at.top);
+  return isShared(plan, room, niche) ? PlanNiche() : niche;
+}
+
+void
+placeNiches(OpeningSearch& search, Floorplan& plan)
+{
+  std::vector<FoundOpening>& found = search.found;
+  const auto niches =
+      std::stable_partition(found.begin(), found.end(),
+                            [](const FoundOpening& each) { return !each.isNiche(); });
+  for (auto each = niches; each != found.end(); ++each) {
+    PlanRoom& room = plan.rooms[search.sides[each->side].room];
     const auto isAbove = [&](const PlanNiche& other) {
-      return overlap(other.boundary, candidate.second.boundary);
+      return overlap(other.boundary, each->niche.boundary);
     };
-    if (!isShared(plan, room, candidate.second) &&
+    if (!isShared(plan, room, each->niche) &&
         std::none_of(room.niches.begin(), room.niches.end(), isAbove))
-      room.niches.push_back(std::move(candidate.second));
+      room.niches.push_back(each->niche);
   }
+  found.erase(niches, found.end());
 }
 
 } // namespace pcl::sedr

@@ -131,12 +131,9 @@ Backs::Backs(const std::vector<WallSide>& sides,
 {
   const double length = sides[side].line.length();
   const double step = opening_numbers.back_step;
-  for (double s = step / 2; s < length + step / 2; s += step) {
+  for (double s = step / 2; s < length + step / 2; s += step)
     behind_.push_back(
         sidesBehind(sides, sides[side], std::min(s, length), kind, max_depth));
-    if (!behind_.back().empty())
-      nearest_ = std::min(nearest_, behind_.back().front().depth);
-  }
 }
 
 const std::vector<SideBehind>&

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace pcl::sedr {
@@ -87,18 +86,9 @@ public:
    * below where there is none at the height; null: none at all. */
   const SideBehind* at(double along, double height) const;
 
-  /** @brief Returns the depth of the side behind a place, where there is none that of
-   * the nearest one anywhere; infinite: none at all. */
-  double depthAt(double along, double height) const
-  {
-    const SideBehind* const behind = at(along, height);
-    return behind ? behind->depth : nearest_;
-  }
-
 private:
   const std::vector<WallSide>& sides_;
   std::vector<std::vector<SideBehind>> behind_;
-  double nearest_ = std::numeric_limits<double>::infinity();
 };
 
 /** @brief A rectangle on a map, metres. */

@@ -148,6 +148,8 @@ def hang_ceilings(rng, building, style):
 def fill(rng, building, style, thickness):
     for room in building.rooms:
         walls.add_windows(rng, room, building.rooms, style, thickness)
+        if style.niches and not room.facets:
+            walls.add_niches(rng, room, building.rooms, style.niches)
     if rng.random() < 0.5:
         box = [g.bounds(r.outline) for r in building.rooms]
         x = max(b[2] for b in box) + rng.uniform(6, 14)

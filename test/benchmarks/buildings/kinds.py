@@ -20,6 +20,7 @@ class Kind:
         self.is_fitted = more.get("is_fitted", False)  # cubicles, leaves and cupboards in corridors
         self.vaults = more.get("vaults", 0.0)         # share of rectangular rooms below a barrel vault
         self.galleries = more.get("galleries", 0.0)   # share of the openings of storeys to a hall that are as wide as the wall
+        self.niches = more.get("niches", 0.0)         # share of windows with a niche below, and of free walls with one
         self.seen_from_end = more.get("seen_from_end", 0.0)  # share of corridors that were scanned from one end only
         self.is_for_all_seeds = more.get("is_for_all_seeds", True)  # else only when asked for: seeds keep their building
 
@@ -35,22 +36,23 @@ KINDS = {
     "cellar": Kind((1,), (2.9, 4.0), (0.4, 0.6), soffits=0.0, glass=0.0, passages=0.1, full_doors=0.0, vaults=0.9, is_for_all_seeds=False),
     "atrium": Kind((2, 2, 3), (2.8, 3.4), (0.3, 0.4), suspended=0.3, glass=0.8, galleries=0.7, seen_from_end=0.5, is_fitted=True, is_for_all_seeds=False),
     "halflevel": Kind((1,), (3.7, 4.3), (0.3, 0.4), glass=0.3, is_for_all_seeds=False),
+    "niches": Kind((1,), (2.4, 3.2), (0.25, 0.35), niches=0.5, is_for_all_seeds=False),
 }
 
 PARTITIONS = {"flat": (0.08, 0.1, 0.12, 0.15, 0.24), "house": (0.1, 0.12, 0.15, 0.2, 0.3),
               "office": (0.08, 0.1, 0.12, 0.15), "openplan": (0.1, 0.12, 0.2, 0.25),
               "school": (0.12, 0.2, 0.25, 0.3), "hall": (0.15, 0.2, 0.3, 0.4), "fitted": (0.08, 0.1, 0.12, 0.15),
-              "cellar": (0.5, 0.6, 0.7, 0.75), "atrium": (0.08, 0.1, 0.12, 0.15), "halflevel": (0.1, 0.12, 0.15, 0.2)}
+              "cellar": (0.5, 0.6, 0.7, 0.75), "atrium": (0.08, 0.1, 0.12, 0.15), "halflevel": (0.1, 0.12, 0.15, 0.2), "niches": (0.1, 0.15, 0.24, 0.4)}
 
 
 def lines_for(rng, kind):
     return Lines(rng, PARTITIONS[kind], rng.choice((0.24, 0.3, 0.36, 0.4)))
 
 
-def flat(rng, _storeys, _flight):
+def flat(rng, _storeys, _flight, kind="flat"):
     w, d = snapped(rng.uniform(8, 15)), snapped(rng.uniform(6.5, 11))
     rect = (0.0, 0.0, w, d)
-    lines = lines_for(rng, "flat")
+    lines = lines_for(rng, kind)
     lines.enclose(rect)
     if rng.random() < 0.5:
         width = snapped(rng.uniform(1.1, 1.8))
@@ -61,6 +63,11 @@ def flat(rng, _storeys, _flight):
         min(spaces, key=lambda s: abs(s.area - 10)).role = "corridor"
     spaces = closets(rng, merged(rng, spaces, 0.3, 50), 0.35)
     return [spaces], lines
+
+
+def niches(rng, storeys, flight):
+    """A flat with niches in its walls."""
+    return flat(rng, storeys, flight, "niches")
 
 
 def house(rng, storeys, flight):
@@ -231,4 +238,4 @@ def halflevel(rng, _storeys, _flight):
 
 
 PLANS = {"flat": flat, "house": house, "office": office, "openplan": openplan, "school": school, "hall": hall,
-         "cellar": cellar, "fitted": fitted, "atrium": atrium, "halflevel": halflevel}
+         "cellar": cellar, "fitted": fitted, "atrium": atrium, "halflevel": halflevel, "niches": niches}

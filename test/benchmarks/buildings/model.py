@@ -16,7 +16,7 @@ class Room:
         self.tilts = {}  # edge -> degrees into the room
         self.details, self.floor_details, self.ribs, self.voids = [], [], [], []
         self.floor_voids = []  # outlines of the holes in its floor
-        self.columns, self.openings, self.furniture = [], [], []
+        self.columns, self.openings, self.niches, self.furniture = [], [], [], []
         self.circles = {}  # of round columns: index -> (centre, radius)
         self.plenum = 0.0
         self.taken, self.used = [], {}
@@ -112,7 +112,7 @@ class Room:
         if self.details:
             json.setdefault("ceiling_details", []).extend(
                 {"loop": points(d["loop"]), "drop": d["drop"]} for d in self.details)
-        for key in ("floor_details", "ribs", "openings", "furniture"):
+        for key in ("floor_details", "ribs", "openings", "niches", "furniture"):
             if getattr(self, key):
                 json[key] = getattr(self, key)
         if self.plenum:

@@ -266,6 +266,31 @@ def add_windows(rng, room, rooms, kind, thickness):
             add_curved_windows(room, i, bulge, thickness)
 
 
+def add_niches(rng, room, rooms, share):
+    """Niches below a share of the windows, and a fireplace, a cupboard's or a shelf's in the free walls."""
+    for window in [o for o in room.openings if "glazing" in o and o["wall"] not in room.bulges]:
+        head = window["sill"] - rng.choice((0.0, 0.04, 0.1))
+        if rng.random() < share and head - room.floor > 0.4:
+            add_niche(room, window["wall"], window["from"], window["to"], 0.0, head - room.floor, rng.uniform(0.06, window["depth"] - 0.06))
+    solid = [(*at, 0.6) for at in outer_stretches(room, rooms)]
+    solid += [(i, low, high, depth - 0.06) for other in rooms if other is not room for i, _, low, high, depth in walls_between(room, other)]
+    for i, low, high, thick in solid:
+        width, bottom, height = rng.choice(((rng.uniform(0.7, 1.2), 0.0, rng.uniform(0.7, 1.1)), (rng.uniform(0.7, 1.6), 0.0, rng.uniform(1.8, 2.2)),
+                                            (rng.uniform(0.4, 1.6), rng.uniform(0.5, 1.3), rng.uniform(0.35, 1.2))))
+        if thick < 0.1 or high - low < width + 0.3 or rng.random() > share or room.top_along(i, low, high) < room.floor + bottom + height + 0.15:
+            continue
+        start = rng.uniform(low + 0.15, high - 0.15 - width)
+        if room.is_free(i, start - 0.12, start + width + 0.12):
+            room.use(i, start, start + width)
+            add_niche(room, i, start, start + width, bottom, height, rng.uniform(0.08, thick))
+
+
+def add_niche(room, wall, start, end, bottom, height, depth):
+    room.keep_clear(wall, start, end, 0.5)
+    room.niches.append({"wall": wall, "from": round(start, 3), "to": round(end, 3), "sill": round(room.floor + bottom, 4),
+                        "head": round(room.floor + bottom + height, 4), "depth": round(depth, 3)})
+
+
 def add_curved_windows(room, wall, bulge, thickness):
     """Windows side by side in a curved wall, measured along its arc."""
     rng = random.Random(f"{room.name} {wall} {bulge}")

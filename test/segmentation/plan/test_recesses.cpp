@@ -81,9 +81,7 @@ TEST(Recesses, AboveASillAreNoPartOfThePlan)
     const PlanRoom room = fittedAbove(sill, 0.25, all_of_it);
     EXPECT_EQ(room.boundary.elements.size(), 4u) << sill;
     EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << sill;
-    ASSERT_EQ(room.niches.size(), 1u) << "its back was seen";
-    EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 4}), sill, 0.01);
-    EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 4}), 2.6, 0.01);
+    EXPECT_TRUE(room.niches.empty()) << "a blind may be as deep";
   }
 }
 

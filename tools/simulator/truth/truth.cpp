@@ -60,9 +60,10 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
   }
   const Element face = faceOf(here, near);
   const double width = near.to - near.from;
-  Json json{{"kind", near.sill >= floor + kWindowSill   ? "window"
-                     : near.leaf || width <= kDoorWidth ? "door"
-                                                        : "passage"},
+  const bool is_pane = near.glazing && !near.leaf;
+  Json json{{"kind", is_pane || near.sill >= floor + kWindowSill ? "window"
+                     : near.leaf || width <= kDoorWidth          ? "door"
+                                                                 : "passage"},
             {"rooms", {room + 1, near.leads_to ? *near.leads_to + 1 : 0}},
             {"bottom", near.sill + scene.placement.shift.z()},
             {"top", near.head + scene.placement.shift.z()},
