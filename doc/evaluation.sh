@@ -70,7 +70,7 @@ if [ -f "${SEDR_DATA:-}/synth1.pcd" ]; then
   mkdir -p synth1
   ln -sf "$(realpath "$SEDR_DATA")/synth1.pcd" synth1/scan.pcd
   ln -sf "$(realpath "$SEDR_DATA")/synth1_rooms.obj" synth1/truth.obj
-  run pcl_parallel_voxel_grid synth1/scan.pcd synth1/scan_copy.pcd --leaf 0.005 # for the pictures
+  run pcl_parallel_voxel_grid synth1/scan.pcd synth1/scan_copy.pcd --leaf 0.005 --scan-axes # for the pictures
   evaluate synth1 truth.obj --near synth1/truth.obj -- "${syn[@]}"
   walls=(--cloud synth1/scan.pcd --labels 2 --near synth1/truth.obj)
   for model in default/mesh.ply paper_pcl/mesh.ply truth.obj; do

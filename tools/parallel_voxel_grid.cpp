@@ -69,6 +69,7 @@ compute(const Settings& settings, const ScanFile& scan)
   else {
     const BuildingFrame frame = frameOf(settings, scan);
     grid.filter(MovedRows(scan, frame, 0, true), thinned);
+    throwProblem(grid.getErrorMessage());
     move(frame.to(BuildingFrame()), thinned);
   }
   throwProblem(grid.getErrorMessage());

@@ -28,12 +28,12 @@ isColour(const pcl::PCLPointField& field)
 bool
 isLabel(const pcl::PCLPointField& field)
 {
-  return field.name == "label" || field.name == "room";
+  return field.name == "label" || field.name == "room" || field.name == "owner";
 }
 
 /** @brief Averages fields of any type over the rows of each voxel: numbers in double,
- * `rgb` and `rgba` by channel, `label` and `room` by majority; normals have unit
- * length.
+ * `rgb` and `rgba` by channel, `label`, `room` and `owner` by majority; normals have
+ * unit length.
  */
 class FieldMeans {
 public:

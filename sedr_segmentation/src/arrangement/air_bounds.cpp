@@ -68,9 +68,13 @@ airBounds(const StoreyEvidence& evidence,
 {
   constexpr double least = 1; // square metres of air
   std::vector<StoreyLine> bounds;
-  if (lines.empty() || lines.front().curve.isCircle())
-    return bounds;
-  const Eigen::Vector2d along = lines.front().curve.direction;
+  const auto straight =
+      std::find_if(lines.begin(), lines.end(), [](const StoreyLine& line) {
+        return line.is_main && !line.curve.isCircle();
+      });
+  const Eigen::Vector2d along = straight == lines.end()
+                                    ? Eigen::Vector2d::UnitX().eval()
+                                    : straight->curve.direction;
   const CellGrid& grid = evidence.grid;
   for (const std::size_t r : evidence.storey.rooms) {
     const CellMask air = unboundedAir(evidence.cells[r].seen, grid, arrangement);

@@ -15,14 +15,14 @@ namespace {
 const std::array<OpeningFeatures, 4> kind_weights{
     {// one raised sill room narrow wide_in tall low_lintel filled around leaf closed
      // low back beyond deep low_head split lower upper solid wide_out
-     {{3.5, 0.0, 2.2, -1.9, 4.1, 0.8, 1.5, 1.3, 0.2, -4.6, -1.7,
-       1.3, 4.2, 0.5, 0.2,  0.3, 0.4, 2.4, 0.7, 1.3, -0.3, 1.7}},
-     {{-0.7, 4.5,  1.8,  -4.8, -0.5, 1.3,  1.0,  0.9,  0.1,  0.4,  -1.6,
-       -1.1, -3.1, -0.7, -0.2, -0.3, -0.2, -1.2, -0.5, -1.5, -0.2, 2.5}},
-     {{-4.2, -0.2, -0.4, -0.4, -0.1, 4.4,  1.9,  -0.1, -6.2, 0.2, -3.0,
-       0.1,  -0.3, 0.2,  0.0,  0.1,  -0.1, -0.1, -0.1, 0.0,  0.0, 3.5}},
-     {{-2.9, 0.9,  0.9, -2.1, 0.3, -0.3, -0.6, -0.4, 1.5,  -0.7, -0.9,
-       2.4,  -0.3, 2.0, 0.1,  0.9, 3.3,  -0.1, 2.3,  -0.8, 1.0,  0.9}}}};
+     {{3.0, -0.3, 3.0, -1.6, 4.2, 0.9, 1.7, 1.3, 0.2, -4.5, -1.6,
+       1.1, 4.3,  0.5, 0.4,  0.4, 0.5, 1.7, 2.1, 1.4, -0.4, 1.9}},
+     {{-1.7, 4.5,  1.3, -4.6, -0.3, 1.4,  0.9, 0.9,  0.2,  1.1,  -1.6,
+       -1.1, -3.3, 0.3, -0.1, -0.3, -0.2, 0.0, -1.4, -2.1, -0.3, 2.5}},
+     {{-3.9, -0.2, -0.5, -0.5, -0.1, 4.4,  1.8, -0.1, -6.2, 0.0, -3.0,
+       0.1,  -0.3, 0.4,  0.0,  0.1,  -0.1, 0.0, -0.1, 0.1,  0.0, 3.4}},
+     {{-0.3, 0.5, 0.7, -2.2, 0.0, -0.2, -0.7, -0.4, 1.9,  -2.4, -1.3,
+       2.7,  0.0, 0.8, -0.3, 0.9, 3.2,  -0.5, 2.3,  -0.8, 1.1,  0.8}}}};
 
 OpeningFeatures
 featuresOf(const Floorplan& plan,
@@ -76,11 +76,10 @@ nameOpening(const OpeningFeatures& features,
     odds[k] = std::exp(std::inner_product(features.begin(), features.end(),
                                           kind_weights[k].begin(), 0.0));
   const auto [none, window, passage, recess] = odds;
-  const Priors priors;
-  // No pane or leaf lies deeper than the wall is thick, or its other face.
+  // A back deeper than the wall is thick, as far as that is known, is no pane or leaf.
   const bool is_deep = found.part == 0 && found.opening.walls.size() < 2 &&
-                       found.back.closed >= priors.share_closed &&
-                       found.filled <= 1 - priors.share_closed;
+                       found.back.closed >= Priors::share_closed &&
+                       found.filled <= 1 - Priors::share_closed;
   const double niche = !found.isNiche() ? 0
                        : is_deep        ? std::numeric_limits<double>::infinity()
                                         : recess;

@@ -26,16 +26,23 @@ std::vector<CellDepths>
 depthsIn(const WallMap& map, const WallRectangle& at)
 {
   const double cell = map.cell();
+  // Cells whose middles lie between two ends, but for one at each.
+  const auto between = [&](double low, double high, std::size_t cells) {
+    const auto number = [&](double end) {
+      return static_cast<std::size_t>(
+          std::clamp(std::ceil(end), 0.0, static_cast<double>(cells)));
+    };
+    return std::pair(number(low / cell + 0.5), number(high / cell - 1.5));
+  };
+  const double base = map.heightOf(0);
+  const auto [c0, c1] = between(at.from, at.to, map.columns());
+  const auto [r0, r1] = between(at.bottom - base, at.top - base, map.rows());
   std::vector<CellDepths> depths;
-  for (std::size_t c = 0; c < map.columns(); ++c)
-    for (std::size_t r = 0; r < map.rows(); ++r) {
-      const double s = cell * (static_cast<double>(c) + 0.5);
-      const double z = map.heightOf(r) + cell / 2;
-      const WallCell state = map.at(c, r);
-      if (s > at.from + cell && s < at.to - cell && z > at.bottom + cell &&
-          z < at.top - cell && state != WallCell::Beyond && state != WallCell::Hidden)
+  for (std::size_t c = c0; c < c1; ++c)
+    for (std::size_t r = r0; r < r1; ++r)
+      if (const WallCell state = map.at(c, r);
+          state != WallCell::Beyond && state != WallCell::Hidden)
         depths.push_back({-map.offsetAt(c, r), -map.farthestAt(c, r)});
-    }
   return depths;
 }
 

@@ -193,9 +193,8 @@ gapsOf(const Building& building, const PointView& points, const CellGrid& grid)
     std::unordered_map<CellKey, float> floors;
     for (const RoomColumn& column : room.columns) {
       floors[keyOf(column.cell)] = column.floor;
-      if (!column.ceiling_seen)
-        for (const Eigen::Vector2d& place : partsOf(column.cell, building.grid, grid))
-          tops[r].try_emplace(keyOf(grid.at(place.x(), place.y())), column.ceiling);
+      for (const Eigen::Vector2d& place : partsOf(column.cell, building.grid, grid))
+        tops[r].try_emplace(keyOf(grid.at(place.x(), place.y())), column.ceiling);
     }
     for (const auto& [key, top] : tops[r]) {
       const Cell cell = cellOf(key);

@@ -81,7 +81,7 @@ private:
 };
 
 /** @brief Returns the gaps of all rooms of a building, a cell of `grid` each: from the
- * ceiling, or where it was hidden the end of the profile there, down to the floor of
+ * ceiling, or where none was seen the end of the profile there, down to the floor of
  * the profile, beside a wall of the nearest one.
  * @param building with the labels of the points */
 std::vector<RoomGap>

@@ -8,12 +8,9 @@
 
 #include <pcl/sedr_filters/impl/refinement.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <numeric>
 #include <string>
@@ -195,26 +192,6 @@ gapsOf(const BuildingRoom& room)
   return runs;
 }
 
-void
-readGaps(const Json& runs, BuildingRoom& room)
-{
-  constexpr int longest = 1 << 20; // cells of a run
-  for (const Json& run : runs) {
-    const int x = run.at(0).get<int>();
-    const int count = run.at(2).get<int>();
-    const int seen = run.at(5).get<int>();
-    if (count < 1 || count > longest || std::abs(x) > (1 << 30))
-      throw ToolError("a run of gaps has " + std::to_string(count) +
-                      " cells from x = " + std::to_string(x) + " on");
-    for (int k = 0; k < count; ++k)
-      room.columns.push_back({{x + k, run.at(1).get<int>()},
-                              run.at(3).get<float>(),
-                              run.at(4).get<float>(),
-                              seen % 2 == 1,
-                              seen >= 2});
-  }
-}
-
 } // namespace
 
 std::string
@@ -260,18 +237,11 @@ loadBuilding(const std::string& path)
         json.value("version", 0) != format_version)
       throw ToolError("it is none that this pcl_room_segmentation writes");
     Building building;
-    const Json& grid = json.at("grid");
-    building.grid = CellGrid(grid.at("cell").get<double>());
-    grid.at("origin").get_to(building.frame.origin);
-    building.frame.rotation =
-        Eigen::AngleAxisd(grid.at("yaw").get<double>(), Eigen::Vector3d::UnitZ())
-            .toRotationMatrix();
     for (const Json& of_room : json.at("rooms")) {
       BuildingRoom& room = building.rooms.emplace_back();
       of_room.at("id").get_to(room.id);
       of_room.at("floor").get_to(room.floor);
       of_room.at("ceiling").get_to(room.ceiling);
-      readGaps(of_room.at("gaps"), room);
     }
     json.at("storeys").get_to(building.storeys);
     for (const Json& of_link : json.at("links")) {

@@ -104,9 +104,9 @@ private:
  * neither on the order of the points nor on the number of threads, and up to 2^31
  * points a voxel cannot overflow. The means are exact to the last digit of a float,
  * except for an error of 2^-30 leaves near 0. The other fields are averaged as
- * pcl::CentroidPoint does (colours by channel, normals made unit length, labels and
- * rooms by majority; fields of own point types, too), or left at their defaults with
- * setDownsampleAllData(false).
+ * pcl::CentroidPoint does (colours by channel, normals made unit length, labels,
+ * rooms and owners by majority; fields of own point types, too), or left at their
+ * defaults with setDownsampleAllData(false).
  *
  * An empty cloud, or one with only NaN points, gives an empty output. Points that are
  * not finite, or 2^30 leaves from 0 and farther (53,000 km at 5 cm), are skipped. A run
@@ -159,9 +159,9 @@ private:
 };
 
 /** @brief ParallelVoxelGrid for clouds with any fields. Every field is averaged:
- * integers are rounded to the nearest, `rgb` and `rgba` averaged by channel, `label`
- * and `room` decided by majority, normals made unit length. x, y and z may be FLOAT32
- * or FLOAT64; the voxel of a point is computed in float. */
+ * integers are rounded to the nearest, `rgb` and `rgba` averaged by channel, `label`,
+ * `room` and `owner` decided by majority, normals made unit length. x, y and z may be
+ * FLOAT32 or FLOAT64; the voxel of a point is computed in float. */
 template <>
 class PCL_EXPORTS ParallelVoxelGrid<pcl::PCLPointCloud2>
     : public sedr::VoxelGridSettings, public sedr::StageError {
