@@ -68,7 +68,7 @@ def sources(root, module):
 def used_in(root):
     """The numbers that a source names."""
     return {name for module in MODULES for path in sources(root, module) if path not in (HEADER, THRESHOLDS, TABLE)
-            for name in re.findall(r"[pP]riors(?:_|\(\))?\.(\w+)", read(root, path))}
+            for name in re.findall(r"[pP]riors(?:(?:_|\(\))?\.|::)(\w+)", read(root, path))}
 
 
 def page(root):
