@@ -56,6 +56,11 @@ class StageToolRuns : public InFolder<TestT> {
 protected:
   using InFolder<TestT>::in;
 
+  pcl::sedr::tools::ToolCloud output() const
+  {
+    return pcl::sedr::tools::loadCloud(in("output.pcd"));
+  }
+
   /** Runs a tool on a file, with the plan of a room if it takes one. */
   ProgramRun runTo(const std::string& output,
                    const Tool& tool,

@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program of a stage does beyond its class: rooms, options, and what it tells.
 // The results of whole rooms are those of the stages one after another.
-#include "rooms/labelled_rooms.h"
 #include "stage_tools.h"
 #include "tool_error.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace {
 
 using namespace programs;
 using pcl::sedr::tools::floatField;
-using pcl::sedr::tools::loadBuilding;
-using pcl::sedr::tools::loadCloud;
 using pcl::sedr::tools::ToolCloud;
-using pcl::sedr::tools::wholeField;
 
 using Numbers = std::vector<float>;
 using Whole = std::vector<std::uint32_t>;
 
 class StageTools : public StageToolRuns<> {
 protected:
-  ToolCloud output() const { return loadCloud(in("output.pcd")); }
-
   /** Runs a tool on an ASCII PCD with the fields x y z label room intensity, and
    * expects it to succeed silently. */
   ToolCloud
@@ -151,48 +141,6 @@ TEST_F(StageTools, VoxelGridTakesItsOptions)
   EXPECT_EQ(floatField(cloud.blob, "intensity"), (Numbers{2}));
 }
 
-TEST_F(StageTools, ATurnedScanGivesTheSameVoxelsAndRooms)
-{
-  constexpr double turn = 0.5; // radians
-  const RoomScan scan = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}});
-  RoomScan turned = scan;
-  for (auto& p : turned.points)
-    std::tie(p.x, p.y) = std::pair(
-        static_cast<float>(std::cos(turn) * p.x - std::sin(turn) * p.y + 3.007),
-        static_cast<float>(std::sin(turn) * p.x + std::cos(turn) * p.y - 1.013));
-  const auto roomsOf = [&](const RoomScan& points, const Strings& options) {
-    Strings of_grid = options;
-    of_grid.insert(of_grid.end(), {"--leaf", "0.1"});
-    EXPECT_EQ(runOn({PARALLEL_VOXEL_GRID}, points.pcd(false), of_grid).exit_code, 0);
-    std::filesystem::rename(in("output.pcd"), in("input_thinned.pcd"));
-    EXPECT_EQ(
-        runTo(in("output.pcd"), {ROOM_SEGMENTATION}, in("input_thinned.pcd"), options)
-            .exit_code,
-        0);
-    return output();
-  };
-  const auto sameShare = [&](const Strings& options) {
-    const ToolCloud first = roomsOf(scan, options);
-    const ToolCloud second = roomsOf(turned, options);
-    std::size_t same = 0;
-    for (std::size_t i = 0; i < second.points->size(); ++i) {
-      const auto& q = (*second.points)[i];
-      const Eigen::Vector2d moved(q.x - 3.007, q.y + 1.013);
-      const Eigen::Vector2f p = (Eigen::Rotation2Dd(-turn) * moved).cast<float>();
-      for (std::size_t k = 0; k < first.points->size(); ++k)
-        if (const auto& o = (*first.points)[k];
-            first.room[k] == second.room[i] &&
-            (Eigen::Vector3f(p.x(), p.y(), q.z) - o.getVector3fMap()).norm() < 0.005F) {
-          ++same;
-          break;
-        }
-    }
-    return static_cast<double>(same) / static_cast<double>(second.points->size());
-  };
-  EXPECT_GT(sameShare({}), 0.85); // some lie at the ends of voxels
-  EXPECT_LT(sameShare({"--scan-axes"}), 0.6);
-}
-
 TEST_F(StageTools, PlaneDetectionListsPlanesForgetsRoomsAndDoubtsTheAxis)
 {
   RoomScan scan = scanOfRooms({{0, 0, 6, 5}, {0, 5.11, 4, 3}, {4.13, 5.11, 5, 4.27}});
@@ -208,77 +156,6 @@ TEST_F(StageTools, PlaneDetectionListsPlanesForgetsRoomsAndDoubtsTheAxis)
     std::swap(p.y, p.z);
   EXPECT_NE(detect().err.find("y seems to be up"), std::string::npos);
   EXPECT_EQ(detect({"--z-up"}).err.find("y seems to be up"), std::string::npos);
-}
-
-TEST_F(StageTools, RoomSegmentationWritesTheBuilding)
-{
-  RoomScan scan = scanOf();
-  scan.addRaised(scanOf({0.37, -1.21, 3}), 2.8, 1);
-  const ProgramRun result =
-      runOn({ROOM_SEGMENTATION}, scan.pcd(false), {"--building", in("building.json")});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  const ToolCloud cloud = output();
-  std::size_t labelled = 0;
-  std::size_t elsewhere = 0; // where an upper floor was hidden
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    ASSERT_EQ(cloud.room[i] != 0, cloud.label[i] != 0);
-    labelled += cloud.label[i] != 0 ? 1 : 0;
-    elsewhere +=
-        cloud.label[i] != 0 && cloud.room[i] != (scan.points[i].z > 2.65 ? 2u : 1u) ? 1
-                                                                                    : 0;
-  }
-  EXPECT_GT(labelled, scan.points.size() / 4);
-  const Whole owners = wholeField(cloud.blob, "owner");
-  std::size_t strange = 0; // walls of another room
-  for (std::size_t i = 0; i < scan.points.size(); ++i)
-    strange += scan.points[i].label == Label::Wall &&
-                       owners[i] != (scan.points[i].z > 2.65 ? 2u : 1u)
-                   ? 1
-                   : 0;
-  EXPECT_LT(strange, scan.points.size() / 100);
-  EXPECT_LT(elsewhere, labelled / 20) << "rooms by their storeys";
-  const pcl::sedr::Building building = loadBuilding(in("building.json"));
-  ASSERT_EQ(building.rooms.size(), 2u);
-  EXPECT_EQ(building.storeys.size(), 2u);
-  EXPECT_NEAR(building.rooms[1].floor, 2.8, 0.1);
-  EXPECT_NEAR(building.rooms[1].ceiling, 5.3, 0.1);
-  EXPECT_GE(std::count(result.out.begin(), result.out.end(), '\n'), 3)
-      << "a heading and a line a room:\n"
-      << result.out;
-  EXPECT_EQ(
-      runOn({ROOM_SEGMENTATION}, scan.pcd(false), {"--building", in("building.txt")})
-          .exit_code,
-      1);
-}
-
-TEST_F(StageTools, ABuildingReadsBackWithItsLinksAndNothingElseDoes)
-{
-  pcl::sedr::Building building;
-  building.links = {{{1, 2}, {4.1, 1.0 / 3}, {4.1, 1.2}, 0.01, 2.05}};
-  const std::string text = pcl::sedr::tools::buildingToJson(building);
-  writeFile(in("building.json"), text);
-  const pcl::sedr::Building read = loadBuilding(in("building.json"));
-  ASSERT_EQ(read.links.size(), 1u);
-  EXPECT_EQ(read.links[0].rooms, building.links[0].rooms);
-  EXPECT_EQ(pcl::sedr::tools::buildingToJson(read), text);
-  for (const char* other : {"", "{}", "[1]", R"({"format": "sedr-planes"})",
-                            R"({"format": "sedr-building", "version": 4})"}) {
-    writeFile(in("building.json"), other);
-    EXPECT_THROW(loadBuilding(in("building.json")), pcl::sedr::tools::ToolError)
-        << other;
-  }
-  EXPECT_THROW(loadBuilding(in("missing.json")), pcl::sedr::tools::ToolError);
-}
-
-TEST_F(StageTools, ABuildingHasTheGapsOfItsRoomsInRuns)
-{
-  pcl::sedr::Building building;
-  pcl::sedr::BuildingRoom& room = building.rooms.emplace_back();
-  for (const int x : {-2, -1, 0, 1, 4}) // two runs, and one after a gap
-    room.columns.push_back({{x, 7}, x < 0 ? 0.05F : 0.1F, 2.5F, true, x != 4});
-  EXPECT_NE(pcl::sedr::tools::buildingToJson(building).find(
-                "\"gaps\":[[-2,7,2,0.05,2.5,3],[0,7,2,0.1,2.5,3],[4,7,1,0.1,2.5,1]]"),
-            std::string::npos);
 }
 
 TEST_F(StageTools, OutlierRemovalNumbersRoomsAndRemovesRowsIfAsked)

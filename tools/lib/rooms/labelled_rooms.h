@@ -62,12 +62,4 @@ PlanSlab floorOf(const LabelledRoom& room,
  * if that may be. */
 void checkScan(const ToolCloud& cloud, bool trust_up);
 
-/** @brief Writes a building as JSON: heights and gaps of rooms, storeys, links, stairs.
- */
-std::string buildingToJson(const Building& building);
-
-/** @brief Reads the output of buildingToJson(), but for the gaps. Throws ToolError on
- * failure. */
-Building loadBuilding(const std::string& path);
-
 } // namespace pcl::sedr::tools
