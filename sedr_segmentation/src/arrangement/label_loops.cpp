@@ -3,13 +3,16 @@
 
 #include "../curves/contour.h"
 #include "../curves/fitted_curve.h"
+#include "sedr_filters/src/base/exactness.h"
 #include <pcl/sedr_filters/plan_editor.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace pcl::sedr {
@@ -102,35 +105,46 @@ loopsOf(const std::vector<Piece>& pieces, const PlaceNumbers& places)
   return loops;
 }
 
-/** @brief Returns the element of pieces that lie on one curve. */
-template <typename Iterator>
-PlanElement
-elementOf(Iterator first,
-          Iterator end,
-          const PlanCurve& curve,
-          const PlaceNumbers& places)
-{
-  PlanElement e;
-  e.start = places.at(first->from);
-  e.end = places.at(std::prev(end)->to);
-  e.inliers = 1;
-  constexpr double off = 0.05; // metres: a chord goes on beyond its arc
-  if (!curve.isCircle() || curve.distance((e.start + e.end) / 2) > off + e.length() / 2)
-    return e;
-  e.centre = curve.point;
-  e.radius = curve.radius;
-  double swept = 0; // by the pieces about the centre
-  for (Iterator piece = first; piece != end; ++piece) {
-    const Eigen::Vector2d a = places.at(piece->from) - curve.point;
-    const Eigen::Vector2d b = places.at(piece->to) - curve.point;
-    swept += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+/** @brief A stretch of a loop on one curve, of pieces. */
+struct Run {
+  PlanCurve curve;
+  std::uint32_t line;
+  std::vector<Eigen::Vector2d> places; ///< ends of its pieces
+  Eigen::Vector2d end;                 ///< where the next one begins
+
+  bool isWithin(const PlanCurve& other, double distance) const
+  {
+    return std::all_of(places.begin(), places.end(), [&](const Eigen::Vector2d& p) {
+      return other.distance(p) < distance;
+    });
   }
-  e.counter_clockwise = swept > 0;
-  return e;
-}
+
+  /** @brief Returns the area between it and another curve, about. */
+  double areaTo(const PlanCurve& other) const
+  {
+    double area = 0;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k)
+      area += other.distance((places[k] + places[k + 1]) / 2) *
+              (places[k + 1] - places[k]).norm();
+    return area;
+  }
+
+  /** @brief Returns the angle by which it turns about the centre of its circle. */
+  double swept() const
+  {
+    double angle = 0;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      const Eigen::Vector2d a = places[k] - curve.point;
+      const Eigen::Vector2d b = places[k + 1] - curve.point;
+      angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    }
+    return angle;
+  }
+};
 
 constexpr double apart = 0.03;     // metres, of curves that nearly touch
 constexpr double near_joint = 0.1; // metres, about where curves meet
+constexpr double min_area = 0.01;  // square metres: 10 cm by 10 cm
 
 /** @brief Finds where two curves nearly touch, near a place.
  * @return whether they do */
@@ -149,11 +163,16 @@ touch(const PlanCurve& a,
          (place - near).norm() < 2 * std::sqrt(2 * apart * arc.radius);
 }
 
-/** @brief Returns where two curves meet or touch, if that is near a place, else the
- * place on the arc. */
+/** @brief Returns where two runs meet near a place: where their curves meet or touch,
+ * else the place on the arc, the same for those on the other side. */
 Eigen::Vector2d
-jointOf(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& near)
+jointOf(const Run& before, const Run& after, const Eigen::Vector2d& near)
 {
+  const PlanCurve& a =
+      std::min(before.line, after.line) == before.line ? before.curve : after.curve;
+  const PlanCurve& b = &a == &before.curve ? after.curve : before.curve;
+  if (!a.isCircle() && !b.isCircle())
+    return near;
   Eigen::Vector2d joint;
   if (touch(a, b, near, joint) ||
       (meet(a, b, near, joint) && (joint - near).norm() < near_joint))
@@ -161,156 +180,279 @@ jointOf(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& near)
   return (a.isCircle() ? a : b).project(near);
 }
 
-/** @brief Leaves out short pieces between curves that nearly touch, and moves the ends
- * of arcs, which lie on their chords, to their circles. */
-void
-closeArcs(PlanLoop& loop)
-{
-  std::vector<PlanElement>& elements = loop.elements;
-  const auto at = [&](std::size_t i) -> PlanElement& {
-    return elements[i % elements.size()];
-  };
-  for (std::size_t i = 0; elements.size() > 2 && i < elements.size(); ++i) {
-    const PlanCurve before = carrierOf(at(i + elements.size() - 1));
-    const PlanCurve after = carrierOf(at(i + 1));
-    Eigen::Vector2d joint;
-    if (at(i).length() < near_joint && touch(before, after, at(i).start, joint)) {
-      at(i + elements.size() - 1).end = at(i + 1).start = joint;
-      elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(i--));
-    }
-  }
-  for (std::size_t i = 0; elements.size() == 2 && i < 2; ++i)
-    if (at(i).isArc() &&
-        carrierOf(at(i)).distance(at(i + 1).pointAt(at(i + 1).length() / 2)) < apart)
-      elements = {at(i)};
-  if (elements.size() == 1)
-    elements[0].end = elements[0].start =
-        carrierOf(elements[0]).project(elements[0].start);
-  else
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      if (at(i).isArc() || at(i + 1).isArc())
-        at(i).end = at(i + 1).start =
-            jointOf(carrierOf(at(i)), carrierOf(at(i + 1)), at(i).end);
-}
-
-/** @brief Gives pieces that part hardly any area from the curve before and after them
- * to that, as where another one touches it. */
-void
-bridgeTouching(std::vector<Piece>& pieces,
-               const std::vector<PlanCurve>& curves,
-               const PlaceNumbers& places)
-{
-  constexpr double least = 0.01; // square metres: 10 cm by 10 cm
-  const std::size_t n = pieces.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t line = pieces[i].line;
-    if (pieces[(i + 1) % n].line == line)
-      continue;
-    double area = 0;         // between the curve and the pieces on others
-    std::size_t end = i + 1; // of these
-    for (; end < i + n && pieces[end % n].line != line; ++end) {
-      const Eigen::Vector2d& from = places.at(pieces[end % n].from);
-      const Eigen::Vector2d& to = places.at(pieces[end % n].to);
-      area += curves[line].distance((from + to) / 2) * (to - from).norm();
-      if (area > least)
-        break;
-    }
-    if (end < i + n && pieces[end % n].line == line)
-      for (std::size_t k = i + 1; k < end; ++k)
-        pieces[k % n].line = line;
-  }
-}
-
-/** @brief Returns the loop of pieces.
- * @param keep_arcs false: each piece of an arc stays a segment, so that the loop
- * crosses itself as little as its pieces do */
-PlanLoop
-loopOf(std::vector<Piece> pieces,
+/** @brief Joins the pieces of a loop that follow each other on one curve.
+ * @param straight circles of which each piece stays a run of its own, a segment */
+std::vector<Run>
+runsOf(const std::vector<Piece>& pieces,
        const std::vector<PlanCurve>& curves,
        const PlaceNumbers& places,
-       bool keep_arcs)
+       const std::set<std::uint32_t>& straight)
 {
-  std::size_t first = 0; // where a curve begins
-  while (first < pieces.size() &&
-         pieces[first].line == pieces[(first + pieces.size() - 1) % pieces.size()].line)
+  const auto isOneRun = [&](const Piece& a, const Piece& b) {
+    return a.line == b.line && straight.count(a.line) == 0;
+  };
+  const std::size_t n = pieces.size();
+  std::size_t first = 0; // where a run begins
+  while (first + 1 < n && isOneRun(pieces[(first + n - 1) % n], pieces[first]))
     ++first;
-  std::rotate(pieces.begin(),
-              pieces.begin() + static_cast<std::ptrdiff_t>(first % pieces.size()),
-              pieces.end());
-  PlanLoop loop;
-  for (auto i = pieces.cbegin(), j = i; i != pieces.cend(); i = j) {
-    j = std::find_if(i, pieces.cend(),
-                     [&](const Piece& piece) { return piece.line != i->line; });
-    if (keep_arcs || !curves[i->line].isCircle())
-      loop.elements.push_back(elementOf(i, j, curves[i->line], places));
-    else
-      for (auto k = i; k != j; ++k)
-        loop.elements.push_back(elementOf(k, std::next(k), PlanCurve(), places));
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Piece& piece = pieces[(first + k) % n];
+    const Eigen::Vector2d& from = places.at(piece.from);
+    const Eigen::Vector2d& to = places.at(piece.to);
+    if (k == 0 || !isOneRun(pieces[(first + k - 1) % n], piece))
+      runs.push_back(
+          {straight.count(piece.line) > 0 ? lineThrough(from, to) : curves[piece.line],
+           piece.line,
+           {from},
+           to});
+    runs.back().places.push_back(to);
+    runs.back().end = to;
   }
-  if (!keep_arcs)
-    return loop;
-  closeArcs(loop);
-  if (loop.elements.size() == 1 &&
-      2 * std::abs(areaOf(pieces, places)) < std::abs(loop.area()))
+  return runs;
+}
+
+/** @brief Gives runs that part hardly any area from the curve before and after them to
+ * that, those first that part least: as where another curve touches it. */
+void
+bridgeTouching(std::vector<Run>& runs)
+{
+  while (runs.size() > 1) {
+    const std::size_t n = runs.size();
+    const auto at = [&](std::size_t k) -> Run& { return runs[k % n]; };
+    double smallest = min_area;
+    std::size_t first = n; // with the curve
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      double area = 0;
+      std::size_t k = i + 1;
+      for (; at(k).line != at(i).line && area < smallest; ++k)
+        area += n == 2 && at(i).curve.isCircle() && at(k).isWithin(at(i).curve, apart)
+                    ? 0
+                    : at(k).areaTo(at(i).curve);
+      if (k > i + 1 && area < smallest) {
+        smallest = area;
+        first = i;
+        last = k;
+      }
+    }
+    if (first == n)
+      return;
+    std::rotate(runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(first),
+                runs.end());
+    last -= first;
+    Run& run = runs[0];
+    for (std::size_t k = 1; k <= std::min(last, n - 1); ++k) {
+      run.places.insert(run.places.end(), runs[k].places.begin() + 1,
+                        runs[k].places.end());
+      run.end = runs[k].end;
+    }
+    runs.erase(runs.begin() + 1,
+               runs.begin() + 1 + static_cast<std::ptrdiff_t>(std::min(last, n - 1)));
+  }
+}
+
+/** @brief Moves the ends of runs to where their curves meet, and leaves out those that
+ * then have no length or run back, and short ones between curves that nearly touch. */
+void
+closeJoints(std::vector<Run>& runs)
+{
+  const auto at = [&](std::size_t k) -> Run& { return runs[k % runs.size()]; };
+  for (std::size_t k = 0; runs.size() > 1 && k < runs.size(); ++k)
+    at(k).end = jointOf(at(k), at(k + 1), at(k).end);
+  for (std::size_t k = 0; runs.size() > 1 && k < runs.size();) {
+    const std::size_t before = k + runs.size() - 1;
+    const Eigen::Vector2d way = at(k).end - at(before).end;
+    const Eigen::Vector2d was = at(k).places.back() - at(k).places.front();
+    Eigen::Vector2d joint = (at(k).end + at(before).end) / 2;
+    const bool is_round = at(k).curve.isCircle() && std::abs(at(k).swept()) > M_PI / 2;
+    const bool is_gone =
+        !is_round &&
+        (way.norm() < same_line || way.dot(was) <= 0 ||
+         (runs.size() > 2 && way.norm() < near_joint &&
+          touch(at(before).curve, at(k + 1).curve, at(before).end, joint)));
+    if (!is_gone) {
+      ++k;
+      continue;
+    }
+    at(before).end = jointOf(at(before), at(k + 1), joint);
+    runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(k));
+    k = 0;
+  }
+}
+
+/** @brief Returns the element of a run. An arc whose ends are not on its circle gets
+ * another centre. */
+PlanElement
+elementOf(const Run& run, const Eigen::Vector2d& start)
+{
+  PlanElement e;
+  e.start = start;
+  e.end = run.end;
+  e.inliers = 1;
+  if (!run.curve.isCircle())
+    return e;
+  const double swept = run.swept();
+  e.counter_clockwise = swept > 0;
+  e.centre = run.curve.point;
+  e.radius = run.curve.radius;
+  if (std::max(run.curve.distance(start), run.curve.distance(run.end)) < same_point)
+    return e;
+  const Eigen::Vector2d half = (e.end - e.start) / 2;
+  e.radius = std::max(e.radius, half.norm());
+  const double up = std::sqrt(e.radius * e.radius - half.squaredNorm());
+  const bool is_left = (swept > 0) == (std::abs(swept) < M_PI);
+  e.centre = e.start + half + (is_left ? up : -up) * leftOf(half.normalized());
+  return e;
+}
+
+/** @brief Returns the loop of runs; empty if it is none. */
+PlanLoop
+loopOf(std::vector<Run> runs)
+{
+  std::vector<Eigen::Vector2d> corners;
+  for (const Run& run : runs)
+    corners.insert(corners.end(), run.places.begin() + 1, run.places.end());
+  closeJoints(runs);
+  PlanLoop loop;
+  if (runs.size() == 1) {
+    if (!runs[0].curve.isCircle())
+      return loop;
+    runs[0].end = runs[0].curve.project(runs[0].places.front());
+  }
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    loop.elements.push_back(
+        elementOf(runs[k], runs[(k + runs.size() - 1) % runs.size()].end));
+  if (runs.size() == 1 && 2 * std::abs(signedArea(corners)) < std::abs(loop.area()))
     loop.elements.clear(); // a sliver between an arc and its chord, no circle
   return loop;
 }
 
-/** @brief Returns the outline that pieces are. */
-PlanLoop
-planLoop(const std::vector<Piece>& pieces,
-         const std::vector<PlanCurve>& curves,
-         const PlaceNumbers& places)
+bool
+isOutline(const PlanLoop& loop)
 {
-  const auto isOutline = [](const PlanLoop& loop) {
-    return outlineProblem(loop.area() < 0 ? reversed(loop) : loop).empty();
-  };
-  std::vector<Piece> bridged = pieces;
-  bridgeTouching(bridged, curves, places);
-  PlanLoop loop = loopOf(std::move(bridged), curves, places, true);
-  if (!isOutline(loop))
-    loop = loopOf(pieces, curves, places, true);
-  return loop.elements.empty() || isOutline(loop)
-             ? loop
-             : loopOf(pieces, curves, places, false);
+  return outlineProblem(loop.area() < 0 ? reversed(loop) : loop).empty();
 }
+
+/** @brief The loops of all labels, which share their lines and arcs. */
+class LabelOutlines {
+public:
+  LabelOutlines(const std::vector<PlanCurve>& curves)
+      : curves_(curves)
+  {}
+
+  /** @brief Follows the borders of a label. */
+  void
+  add(const std::vector<CellBorder>& borders, const std::vector<int>& labels, int label)
+  {
+    std::vector<Piece> pieces;
+    for (const CellBorder& border : borders) {
+      const bool is_left = labels[border.left] == label;
+      if (is_left == (labels[border.right] == label))
+        continue;
+      const std::size_t a = places_.numberOf(border.start);
+      const std::size_t b = places_.numberOf(border.end);
+      if (a != b)
+        pieces.push_back({is_left ? a : b, is_left ? b : a, border.line});
+    }
+    std::vector<Outline>& all = of_label_.emplace_back();
+    for (std::vector<Piece>& loop : loopsOf(pieces, places_)) {
+      const double area = areaOf(loop, places_);
+      if (std::abs(area) > min_area)
+        all.push_back({std::move(loop), area, {}});
+    }
+  }
+
+  /** @brief Returns the loops of each label. Where arcs cross something that their
+   * chords do not, all loops get the chords. */
+  std::vector<LabelLoops> found()
+  {
+    for (bool is_done = false; !is_done;) {
+      const std::size_t before = straight_.size();
+      for (std::vector<Outline>& all : of_label_)
+        for (Outline& outline : all) {
+          outline.loop = loopOfPieces(outline.pieces);
+          if (!outline.loop.elements.empty() && !isOutline(outline.loop))
+            straighten(outline.pieces);
+        }
+      is_done = straight_.size() == before;
+    }
+    std::vector<LabelLoops> loops;
+    for (const std::vector<Outline>& all : of_label_)
+      loops.push_back(loopsOfLabel(all));
+    return loops;
+  }
+
+private:
+  struct Outline {
+    std::vector<Piece> pieces;
+    double area;
+    PlanLoop loop;
+  };
+
+  PlanLoop loopOfPieces(const std::vector<Piece>& pieces) const
+  {
+    const std::vector<Run> runs = runsOf(pieces, curves_, places_, straight_);
+    std::vector<Run> bridged = runs;
+    bridgeTouching(bridged);
+    PlanLoop loop = loopOf(std::move(bridged));
+    return isOutline(loop) ? loop : loopOf(runs);
+  }
+
+  /** @brief Replaces one circle of a loop by chords if that is enough, else all. */
+  void straighten(const std::vector<Piece>& pieces)
+  {
+    std::set<std::uint32_t> circles;
+    for (const Piece& piece : pieces)
+      if (curves_[piece.line].isCircle() && straight_.count(piece.line) == 0)
+        circles.insert(piece.line);
+    for (const std::uint32_t circle : circles) {
+      straight_.insert(circle);
+      if (isOutline(loopOfPieces(pieces)))
+        return;
+      straight_.erase(circle);
+    }
+    straight_.insert(circles.begin(), circles.end());
+  }
+
+  static LabelLoops loopsOfLabel(const std::vector<Outline>& all)
+  {
+    LabelLoops found;
+    double largest = 0;
+    for (const Outline& outline : all)
+      if (outline.area < 0)
+        found.holes.push_back(outline.loop);
+      else if (outline.area > largest) {
+        largest = outline.area;
+        found.outer = outline.loop;
+      }
+    const auto isOutside = [&](const PlanLoop& hole) {
+      return hole.elements.empty() ||
+             !found.outer.contains(hole.elements.front().start);
+    };
+    found.holes.erase(std::remove_if(found.holes.begin(), found.holes.end(), isOutside),
+                      found.holes.end());
+    return found;
+  }
+
+  const std::vector<PlanCurve>& curves_;
+  PlaceNumbers places_;
+  std::vector<std::vector<Outline>> of_label_;
+  std::set<std::uint32_t> straight_; ///< circles of which all pieces are segments
+};
 
 } // namespace
 
-LabelLoops
+std::vector<LabelLoops>
 labelLoops(const std::vector<CellBorder>& borders,
            const std::vector<int>& labels,
-           int label,
+           int max_label,
            const std::vector<PlanCurve>& curves)
 {
-  PlaceNumbers places;
-  std::vector<Piece> pieces;
-  for (const CellBorder& border : borders) {
-    const bool is_left = labels[border.left] == label;
-    if (is_left == (labels[border.right] == label))
-      continue;
-    const std::size_t a = places.numberOf(border.start);
-    const std::size_t b = places.numberOf(border.end);
-    if (a != b)
-      pieces.push_back({is_left ? a : b, is_left ? b : a, border.line});
-  }
-  LabelLoops found;
-  double largest = 0;
-  for (const std::vector<Piece>& loop : loopsOf(pieces, places)) {
-    const double area = areaOf(loop, places);
-    if (area < 0)
-      found.holes.push_back(planLoop(loop, curves, places));
-    else if (area > largest) {
-      largest = area;
-      found.outer = planLoop(loop, curves, places);
-    }
-  }
-  const auto isOutside = [&](const PlanLoop& hole) {
-    return hole.elements.empty() || !found.outer.contains(hole.elements.front().start);
-  };
-  found.holes.erase(std::remove_if(found.holes.begin(), found.holes.end(), isOutside),
-                    found.holes.end());
-  return found;
+  LabelOutlines outlines(curves);
+  for (int label = 1; label <= max_label; ++label)
+    outlines.add(borders, labels, label);
+  return outlines.found();
 }
 
 } // namespace pcl::sedr

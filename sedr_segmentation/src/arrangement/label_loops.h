@@ -16,11 +16,12 @@ struct LabelLoops {
   std::vector<PlanLoop> holes; ///< of any part, clockwise
 };
 
-/** @brief Follows the borders of the cells with a label.
+/** @brief Follows the borders of the cells with each label from 1 on. Rooms beside each
+ * other share the arcs or, where an arc would cross something, its chords.
  * @param curves of each line of the borders */
-LabelLoops labelLoops(const std::vector<CellBorder>& borders,
-                      const std::vector<int>& labels,
-                      int label,
-                      const std::vector<PlanCurve>& curves);
+std::vector<LabelLoops> labelLoops(const std::vector<CellBorder>& borders,
+                                   const std::vector<int>& labels,
+                                   int max_label,
+                                   const std::vector<PlanCurve>& curves);
 
 } // namespace pcl::sedr

@@ -350,9 +350,11 @@ labelStorey(const StoreyEvidence& evidence,
   std::vector<PlanCurve> curves;
   for (const StoreyLine& line : lines)
     curves.push_back(line.curve);
-  for (std::size_t k = 0; k < evidence.storey.rooms.size(); ++k) {
-    LabelLoops loops =
-        labelLoops(borders, labelling.labels(), static_cast<int>(k) + 1, curves);
+  std::vector<LabelLoops> all =
+      labelLoops(borders, labelling.labels(),
+                 static_cast<int>(evidence.storey.rooms.size()), curves);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    LabelLoops& loops = all[k];
     if (loops.outer.elements.empty())
       continue;
     PlanRoom& room = rooms[evidence.storey.rooms[k]];

@@ -4,6 +4,8 @@
 #include "sedr_segmentation/src/arrangement/label_loops.h"
 #include "sedr_segmentation/src/arrangement/plan_cells.h"
 
+#include <pcl/sedr_filters/plan_editor.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,8 +133,9 @@ TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
     const bool is_outside = p.minCoeff() < 1 || p.maxCoeff() > 9;
     labels.push_back(is_outside ? 0 : (p.x() < 5) == (p.y() < 5) ? 1 : 2);
   }
-  for (const int label : {1, 2}) {
-    const PlanLoop loop = labelLoops(cells.borders(), labels, label, curves).outer;
+  for (const std::size_t label : {1, 2}) {
+    const PlanLoop loop =
+        labelLoops(cells.borders(), labels, 2, curves)[label - 1].outer;
     EXPECT_EQ(loop.elements.size(), 4U) << label;
     EXPECT_NEAR(loop.area(), 16, 1e-9) << label;
   }
@@ -155,9 +158,77 @@ TEST(LabelLoops, ASliverBetweenAnArcAndItsChordIsNoColumn)
     borders.push_back({static_cast<std::uint32_t>(curves.size()), start, end, 1, 0});
     curves.push_back(lineThrough(start, end));
   }
-  const LabelLoops loops = labelLoops(borders, {0, 1, 0}, 1, curves);
+  const LabelLoops loops = labelLoops(borders, {0, 1, 0}, 1, curves)[0];
   EXPECT_EQ(loops.outer.elements.size(), 4U);
   EXPECT_TRUE(loops.holes.empty());
+}
+
+TEST(LabelLoops, RoomsShareTheChordsOfAnArcThatWouldCrossAWallOfOne)
+{
+  // A round-headed room below another one, into which a spike goes down to 3 mm above
+  // a chord; the arc there is 1 cm above it.
+  PlanCurve circle;
+  circle.radius = 0.5;
+  std::vector<PlanCurve> curves{circle};
+  std::vector<CellBorder> borders;
+  std::vector<Eigen::Vector2d> arc;
+  for (int k = 0; k <= 5; ++k) {
+    const double angle =
+        std::atan2(0.3, -0.4) * (1 - k / 5.0) + std::atan2(0.3, 0.4) * (k / 5.0);
+    arc.emplace_back(0.5 * std::cos(angle), 0.5 * std::sin(angle));
+    if (k > 0)
+      borders.push_back({0, arc[k - 1], arc[k], 2, 1});
+  }
+  const auto addLine = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                           std::uint32_t left) {
+    borders.push_back({static_cast<std::uint32_t>(curves.size()), a, b, left, 0});
+    curves.push_back(lineThrough(a, b));
+  };
+  const double y = (arc[2] + arc[3]).y() / 2 + 0.003;
+  addLine(arc.front(), {-0.4, -1}, 1);
+  addLine({-0.4, -1}, {0.4, -1}, 1);
+  addLine({0.4, -1}, arc.back(), 1);
+  addLine(arc.back(), {0.4, 2}, 2);
+  addLine({0.4, 2}, {0.1, 2}, 2);
+  addLine({0.1, 2}, {0, y}, 2);
+  addLine({0, y}, {-0.1, 2}, 2);
+  addLine({-0.1, 2}, {-0.4, 2}, 2);
+  addLine({-0.4, 2}, arc.front(), 2);
+  const std::vector<LabelLoops> loops = labelLoops(borders, {0, 1, 2}, 2, curves);
+  EXPECT_EQ(loops[0].outer.elements.size(), 8U);
+  EXPECT_EQ(loops[1].outer.elements.size(), 11U);
+  for (const LabelLoops& room : loops)
+    EXPECT_EQ(outlineProblem(room.outer), "");
+  EXPECT_NEAR(loops[0].outer.area() + loops[1].outer.area(), 0.8 * 3 - 0.1 * (2 - y),
+              1e-9);
+}
+
+TEST(LabelLoops, ARunOnAnotherCircleEndsWhereItsNeighboursDo)
+{
+  // A round room of which a quarter is on a circle 2 cm larger.
+  PlanCurve circle;
+  circle.radius = 3;
+  PlanCurve other = circle;
+  other.radius = 3.02;
+  std::vector<PlanCurve> curves{circle, other};
+  std::vector<CellBorder> borders;
+  const auto placeAt = [&](int k) {
+    const double radius = k % 64 < 48 ? 3.0 : 3.02;
+    return Eigen::Vector2d(radius * std::cos(k * M_PI / 32),
+                           radius * std::sin(k * M_PI / 32));
+  };
+  for (int k = 0; k < 64; ++k)
+    borders.push_back({k < 48 ? 0U : 1U, placeAt(k), placeAt(k + 1), 1, 0});
+  const PlanLoop loop = labelLoops(borders, {0, 1}, 1, curves)[0].outer;
+  EXPECT_EQ(outlineProblem(loop), "");
+  for (std::size_t k = 0; k < loop.elements.size(); ++k) {
+    const PlanElement& e = loop.elements[k];
+    EXPECT_TRUE(e.isArc());
+    EXPECT_LT((e.end - loop.elements[(k + 1) % loop.elements.size()].start).norm(),
+              1e-9);
+    EXPECT_NEAR((e.start - e.centre).norm(), e.radius, 1e-9);
+    EXPECT_NEAR((e.end - e.centre).norm(), e.radius, 1e-9);
+  }
 }
 
 } // namespace

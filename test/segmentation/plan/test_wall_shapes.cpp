@@ -64,6 +64,19 @@ TEST(WallShapes, CurvedWallsThatMeetOthersAtAnAngle)
   }
 }
 
+TEST(WallShapes, AGentlyCurvedWallIsOneArc)
+{
+  for (const double radius : {60.0, 200.0}) {
+    const double half = std::asin(6 / radius) * 180 / M_PI;
+    const double y = 7 - std::sqrt(radius * radius - 36);
+    const PlanLoop bowed{{segment({-6, 0}, {6, 0}), segment({6, 0}, {6, 7}),
+                          arc({0, y}, radius, 90 - half, 90 + half),
+                          segment({-6, 7}, {-6, 0})}};
+    for (const double degrees : {0.0, 20.0})
+      expectShape(placed(bowed, degrees, {0.01, 0.02}), 0.005, 0.01);
+  }
+}
+
 TEST(WallShapes, ArcsTangentToWallsAreOneArcEach)
 {
   for (const auto& shape : {stadium(4, 1.5), roundedRectangle(6, 4, 1)})

@@ -43,7 +43,7 @@ struct RoomFitParameters {
   double cell_size = 0.05;
   double slab_tolerance = 0.05;      ///< of the planes of ceiling, floor and details
   double minimum_radius = 0.15;      ///< of an arc
-  double maximum_radius = 50;        ///< of an arc; flatter ones are segments
+  double maximum_radius = 500;       ///< of an arc; flatter ones are segments
   double minimum_detail_area = 0.25; ///< square metres
   std::uint64_t seed = 1;            ///< of the planes' random samples
   unsigned threads = 0;              ///< 0: all processors
@@ -196,7 +196,7 @@ public:
   double getGridSize() const { return parameters_.cell_size; }
 
   /** @brief Sets the limits of the radii of arcs, metres, 0 < minimum < maximum;
-   * flatter walls are segments. Default 0.15 to 50. */
+   * flatter walls are segments. Default 0.15 to 500. */
   void setRadiusLimits(double minimum, double maximum)
   {
     parameters_.minimum_radius = minimum;
