@@ -114,22 +114,26 @@ SeenSurfaces::addBeyond(const Eigen::Vector3d& p)
 }
 
 void
-SeenSurfaces::tellDoubled(std::size_t room, std::vector<PlanWarning>& warnings) const
+SeenSurfaces::tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) const
 {
-  constexpr double told = 0.25; // of a room
   const PlanRoom& plan = rooms_[room].room();
+  const double told = 0.25 * plan.area();
   const double floor = plan.floorAt(plan.boundary.elements.front().start);
-  std::vector<PlanWarning> doubled;
-  for (const std::size_t k : {0, 1}) {
-    std::vector<CellValue> heights;
-    for (const auto& [key, height] : beyond_[2 * room + k])
-      heights.emplace_back(key, height - floor);
-    const Patches found(heights, grid_.size());
-    if (found.area > told * plan.area())
-      doubled.push_back(slabWarning(k == 0, found, plan));
-  }
-  if (doubled.size() == 2)
-    warnings.insert(warnings.end(), doubled.begin(), doubled.end());
+  std::array<std::vector<CellValue>, 2> heights; // of what is below and above
+  std::vector<CellValue> open;                   // above, and no ceiling below it
+  for (const std::size_t k : {0, 1})
+    for (const auto& [key, height] : beyond_[2 * room + k]) {
+      heights[k].emplace_back(key, height - floor);
+      if (k == 1 && !isOnSlab(room, key, false))
+        open.push_back(heights[k].back());
+    }
+  const Patches below(heights[0], grid_.size());
+  const Patches above(heights[1], grid_.size(), 0); // however small, as between ribs
+  const bool are_both = std::min(below.area, above.area) > told;
+  if (are_both)
+    warnings.push_back(slabWarning(true, below, plan));
+  if (are_both || Patches(open, grid_.size(), 0).area >= told_share * surfacesOf(plan))
+    warnings.push_back(slabWarning(false, above, plan));
 }
 
 void
@@ -251,7 +255,7 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellStanding(r, warnings);
     tellHalfWalls(r, warnings);
-    tellDoubled(r, warnings);
+    tellBeyond(r, warnings);
   }
 }
 

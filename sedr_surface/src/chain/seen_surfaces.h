@@ -104,9 +104,9 @@ private:
   /** @brief Counts a point of no room below a floor or above a ceiling. */
   void addBeyond(const Eigen::Vector3d& p);
 
-  /** @brief Warns of a floor and a ceiling that both were seen twice, as in two scans
-   * that do not fit. */
-  void tellDoubled(std::size_t room, std::vector<PlanWarning>& warnings) const;
+  /** @brief Warns of a ceiling in whose place much was seen above it, and of a floor
+   * and a ceiling that both were seen twice, as in two scans that do not fit. */
+  void tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of what stands on the floor like a wall but ends below the ceiling:

@@ -169,6 +169,7 @@ TEST(UnexplainedSurfaces, AreFloorAndCeilingOfASecondScanThatDoesNotFit)
 {
   const Floorplan plan{{planned(1, 0, 4)}};
   Cloud cloud = recessedRoom(0);
+  addRectangle({0, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud);
   addRectangle({0, 0, 2.7F}, {4, 0, 0}, {0, 3, 0}, cloud);
   EXPECT_TRUE(unexplained(cloud, plan).empty()) << "a void above a ceiling";
   addRectangle({0, 0, -0.2F}, {4, 0, 0}, {0, 3, 0}, cloud);
@@ -181,6 +182,21 @@ TEST(UnexplainedSurfaces, AreFloorAndCeilingOfASecondScanThatDoesNotFit)
     EXPECT_NEAR(warning.values[1], warning.kind == WarningKind::FloorOff ? -0.2 : 2.7,
                 1e-3);
   }
+}
+
+TEST(UnexplainedSurfaces, AreCoffersHoweverSmallThatThePlanDoesNotHave)
+{
+  // Coffers of 0.2 m2 between ribs of 0.15 m that the plan takes for the ceiling.
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  for (float x = 0.1F; x < 3.8F; x += 0.6F)
+    for (float y = 0.1F; y < 2.8F; y += 0.6F)
+      addRectangle({x, y, 2.8F}, {0.45F, 0, 0}, {0, 0.45F, 0}, cloud);
+  const auto found = unexplained(cloud, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
+  EXPECT_NEAR(found[0].values[0], 7 * 5 * 0.45 * 0.45, 2) << "to a cell";
+  EXPECT_NEAR(found[0].values[1], 2.8, 1e-3);
 }
 
 TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
