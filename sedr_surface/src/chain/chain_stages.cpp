@@ -9,6 +9,7 @@
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -178,6 +179,7 @@ ChainRun::findOpenings(StageReport& report)
   labelNiches(stages.room_segmentation.getBuilding().owner_of,
               stages.refinement.getMaximumDistance(), model);
   const Building& building = stages.room_segmentation.getBuilding();
+  append(doubtsOfRooms(building), model.warnings);
   append(linksWithoutOpening(building, *model.plan), model.warnings);
   append(unexplainedSurfaces(thinned, building, *model.plan,
                              *stages.opening_detection.getSearch(),
@@ -189,7 +191,7 @@ ChainRun::findOpenings(StageReport& report)
 
 namespace {
 
-/** @brief Returns those of the points of a room that have a label. */
+/** @brief Returns points with their labels and rooms. */
 StructureModel::StructureCloud::Ptr
 labelledCloud(const StructureModel& model, const pcl::Indices& points)
 {
@@ -201,8 +203,7 @@ labelledCloud(const StructureModel& model, const pcl::Indices& points)
     p.getVector3fMap() = (*model.cloud)[at].getVector3fMap();
     p.label = model.labels[at];
     p.room = model.rooms[at];
-    if (p.label != 0)
-      cloud->push_back(p);
+    cloud->push_back(p);
   }
   return cloud;
 }
@@ -216,10 +217,16 @@ ChainRun::refine(StageReport& report)
       pointsByRoom(model, stages.room_segmentation.getBuilding().rooms.size());
   std::string problem = "no labelled point lies on the floor plan";
   for (const PlanRoom& room : model.plan->rooms) {
+    const pcl::Indices& of_room = points[room.id];
     refined.emplace_back(new StructureModel::StructureCloud);
-    stages.refinement.setInputCloud(labelledCloud(model, points[room.id]));
+    stages.refinement.setInputCloud(labelledCloud(model, of_room));
     stages.refinement.setFloorplan(planOf(room));
     stages.refinement.filter(*refined.back());
+    const pcl::Indices& sources = stages.refinement.getSourceIndices();
+    for (std::size_t k = 0; k < sources.size();
+         ++k) // a ceiling may be that of a detail
+      assign(model, of_room[static_cast<std::size_t>(sources[k])],
+             static_cast<StructureLabel>((*refined.back())[k].label), room.id);
     if (!stages.refinement.getErrorMessage().empty()) // a room without points is empty
       problem = stages.refinement.getErrorMessage();
     report.points_out += refined.back()->size();

@@ -256,6 +256,47 @@ TEST_F(ClassifiedScan, OfPcdHasTheFieldsOfTheScanAndThree)
   EXPECT_GT(static_cast<double>(right), 0.9 * static_cast<double>(cloud.size()));
 }
 
+TEST_F(ClassifiedScan, TellsSoffitsAndColumnsFromCeilingsAndWalls)
+{
+  BoxRoom room;
+  room.width = 6;
+  room.depth = 5;
+  room.has_soffit = true;
+  RoomScan scan;
+  scan.addRoom(room);
+  const Eigen::Vector3d low(room.x + 3.5, room.y + 2.2, 0);
+  const Eigen::Vector3d high = low + Eigen::Vector3d(0.5, 0.5, room.height);
+  auto& points = scan.points;
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const RoomPoint& p) {
+                                return p.x > low.x() && p.x < high.x() &&
+                                       p.y > low.y() && p.y < high.y();
+                              }),
+               points.end());
+  for (const int across : {0, 1})
+    for (const double at : {low[across], high[across]}) {
+      Eigen::Vector3d from = low, to = high;
+      from[across] = to[across] = at;
+      scan.addPiece(from, to, Label::Column, 1);
+    }
+  writeFile(in("input.pcd"), scan.pcd(false));
+  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")},
+                                {"--no-mesh", "--classified", in("out.pcd")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ToolCloud cloud = loadCloud(in("out.pcd"));
+  ASSERT_EQ(cloud.size(), scan.points.size());
+  for (const Label label : {Label::Detail, Label::Column}) {
+    double all = 0;
+    double right = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (scan.points[i].label == label) {
+        ++all;
+        right += cloud.label[i] == static_cast<std::uint32_t>(label) ? 1 : 0;
+      }
+    EXPECT_GT(right, 0.8 * all) << pcl::sedr::toString(label);
+  }
+}
+
 TEST_F(ClassifiedScan, OfSeveralFilesHasThemOneBehindTheOther)
 {
   RoomScan first = scanOf();
