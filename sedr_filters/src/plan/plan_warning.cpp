@@ -24,7 +24,7 @@ struct Words {
 /** In the order of WarningKind. Odds of kinds that at least six random buildings had are
  * what of the rooms or square metres was wrong there, see doc/reliability.md; the others
  * are chosen. */
-constexpr std::array<Words, 46> words{{
+constexpr std::array<Words, 48> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -126,6 +126,10 @@ constexpr std::array<Words, 46> words{{
      "{0.1} m2 of its floor{at} lie {1.2} m higher: they may be a thing that stands "
      "there"},
     {"small_storey", "look at", Stake::Value, 0.5, "{reason}: a storey of {0.1} m2"},
+    {"one_room", "look at", Stake::Value, 0.35,
+     "it may be one room with room {1.0}: little parts them where they meet{at}"},
+    {"two_rooms", "look at", Stake::Value, 0.35,
+     "{0.1} m2 of it may be a room of their own: little joins them to the rest{at}"},
     {"edited", "", Stake::None, 0, "{reason}"},
 }};
 

@@ -83,6 +83,7 @@ RoomBorder::add(const RoomBorder& other)
   drops += other.drops;
   dip += other.dip;
   stacked += other.stacked;
+  at += other.at;
   clear = std::max(clear, other.clear);
 }
 
@@ -137,6 +138,7 @@ RoomBorders::join(std::uint32_t a, std::uint32_t b)
   labels_.join(a, b);
   RoomExtent& into = rooms_[a];
   const RoomExtent joined = std::exchange(rooms_[b], {});
+  into.area += joined.area;
   into.depth = std::max(into.depth, joined.depth);
   into.ends += joined.ends;
   into.links += joined.links - 2 * joined.beside.at(a).links;
@@ -157,6 +159,7 @@ RoomBorders::measureRooms(const AirGaps& air)
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (labels_.hasRoom(g)) {
       const std::uint32_t r = labels_.roomOf(g);
+      rooms_[r].area += cell_ * cell_;
       rooms_[r].depth = std::max<double>(rooms_[r].depth, free[g] * cell_);
       for (std::uint32_t o = air.first(air[g].column); o < g; ++o)
         if (labels_.hasRoom(o) && !labels_.isSameRoom(o, g)) {
@@ -190,6 +193,7 @@ RoomBorders::measureBorders(const AirGaps& air, const std::vector<float>& dip)
         ++border.links;
         border.drops += air.isDrop(g, d) ? 1 : 0;
         border.dip += std::max(dip[g], dip[o]);
+        border.at += air.placeOf(g);
         border.clear =
             std::max<double>(border.clear, std::max(clear[g], clear[o]) * cell_);
       }

@@ -6,6 +6,8 @@
 #include "parting_parameters.h"
 #include "room_labels.h"
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -21,12 +23,14 @@ struct RoomBorder {
   double dip = 0;     ///< metres, of the ceiling at each link
   double stacked = 0; ///< pairs of gaps of both in one column
   double clear = 0;   ///< metres; the most that a link is away from rims and lintels
+  Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< sum of the links' places, metres
 
   void add(const RoomBorder& other);
 };
 
 /** @brief What is known of a room while rooms are joined. */
 struct RoomExtent {
+  double area = 0;  ///< square metres
   double depth = 0; ///< of the place farthest from its rim, metres
   double ends = 0;  ///< where its air ends
   double links = 0; ///< to other rooms

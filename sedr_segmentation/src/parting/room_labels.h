@@ -30,8 +30,11 @@ public:
   /** @brief The room of a gap that has one. */
   std::uint32_t roomOf(std::uint32_t g)
   {
-    return sets_.find(static_cast<std::uint32_t>(label_[g]));
+    return rootOf(static_cast<std::uint32_t>(label_[g]));
   }
+
+  /** @brief The room that one was joined to. */
+  std::uint32_t rootOf(std::uint32_t room) { return sets_.find(room); }
 
   /** @brief Whether two gaps are of one room, or both of none. */
   bool isSameRoom(std::uint32_t g, std::uint32_t o)

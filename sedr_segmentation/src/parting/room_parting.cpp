@@ -17,11 +17,24 @@ namespace pcl::sedr {
 
 namespace {
 
+/** @brief Returns the doubt about a border of two rooms.
+ * @param odds logarithm of the odds that they are one */
+PartingDoubt
+doubtAbout(const RoomBorders& rooms, std::uint32_t a, std::uint32_t b, double odds)
+{
+  const RoomBorder& border = rooms.room(a).beside.at(b);
+  return {a, odds > 0 ? a : b, border.at / border.links,
+          std::min(rooms.room(a).area, rooms.room(b).area),
+          1 / (1 + std::exp(std::abs(odds)))};
+}
+
 /** @brief Joins rooms until any two are more likely two than one: first those between
- * which there is least. */
-void
+ * which there is least.
+ * @return what may be wrong, by rooms before they are joined */
+std::vector<PartingDoubt>
 joinRooms(RoomBorders& rooms)
 {
+  std::vector<PartingDoubt> doubts;
   using Turn = std::tuple<double, std::uint32_t, std::uint32_t>; // the least is first
   std::priority_queue<Turn, std::vector<Turn>, std::greater<Turn>> turns;
   const auto judgeBordersOf = [&](std::uint32_t room) {
@@ -38,12 +51,18 @@ joinRooms(RoomBorders& rooms)
     turns.pop();
     if (rooms.room(a).beside.count(b) == 0)
       continue; // one of them was joined since
-    if (const RoomOdds now = rooms.oddsOfOne(a, b);
-        now.by_border != -odds || now.by_all <= 0)
+    const RoomOdds now = rooms.oddsOfOne(a, b);
+    if (now.by_border != -odds || now.by_all <= 0)
       continue;
+    doubts.push_back(doubtAbout(rooms, a, b, now.by_all));
     rooms.join(a, b);
     judgeBordersOf(a);
   }
+  for (std::uint32_t a = 0; a < rooms.size(); ++a)
+    for (const auto& [b, border] : rooms.room(a).beside)
+      if (a < b && border.links > 0)
+        doubts.push_back(doubtAbout(rooms, a, b, rooms.oddsOfOne(a, b).by_all));
+  return doubts;
 }
 
 /** @brief Of the gaps of a column that are of one room the tallest stays: others are
@@ -67,14 +86,22 @@ partIntoRooms(const AirGaps& air, const PartingParameters& parameters)
                                                      air.columns().cellSize())));
   RoomLabels labels(roomBasins(air, dip, parameters));
   RoomBorders borders(air, dip, parameters, labels);
-  joinRooms(borders);
+  PartedAir parted;
+  parted.doubts = joinRooms(borders);
   std::vector<std::int32_t> room = labels.joined();
   keepHeightField(air, room);
   RoomLabels rooms(std::move(room));
-  PartedAir parted;
   parted.room = rooms.joined();
   parted.rooms = rooms.sizes().size();
   parted.openings = openingsBetween(air, rooms);
+  std::vector<std::uint32_t> number(borders.size()); // of what became of each
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    if (rooms.hasRoom(g))
+      number[labels.roomOf(g)] = rooms.roomOf(g);
+  for (PartingDoubt& doubt : parted.doubts) {
+    doubt.a = number[labels.rootOf(doubt.a)];
+    doubt.b = number[labels.rootOf(doubt.b)];
+  }
   return parted;
 }
 

@@ -201,6 +201,21 @@ tellOpenings(const std::vector<RoomOpening>& openings,
   }
 }
 
+/** @brief Where the parting of rooms may be wrong. */
+void
+tellDoubts(const std::vector<PartingDoubt>& doubts,
+           const std::vector<std::uint32_t>& number,
+           double min_area,
+           Building& building)
+{
+  constexpr double min_chance = 0.25;
+  for (const PartingDoubt& doubt : doubts) {
+    const auto [a, b] = std::minmax(number[doubt.a], number[doubt.b]);
+    if (a != 0 && doubt.chance >= min_chance && doubt.area >= min_area)
+      building.doubts.push_back({{a, b}, doubt.at, doubt.area, doubt.chance});
+  }
+}
+
 /** @brief What was looked for where no room was found, and what was found instead. */
 std::string
 problemOf(const Building& building,
@@ -241,6 +256,7 @@ describe(const AirGaps& air,
       keepRooms(std::move(parts), verdicts, building);
   listStoreys(parameters.storey_step, building);
   tellOpenings(parted.openings, number, of_parting, building);
+  tellDoubts(parted.doubts, number, parameters.minimum_area, building);
   addFlights(points, indices, fine, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),
                    [](const LeftOut& a, const LeftOut& b) { return a.area > b.area; });
@@ -288,6 +304,8 @@ turnBack(const BuildingFrame& frame, Building& building)
     link.bottom += rise;
     link.top += rise;
   }
+  for (RoomDoubt& doubt : building.doubts)
+    turn(doubt.at);
   for (LeftOut& thing : building.left_out) {
     turn(thing.at);
     thing.floor += rise;

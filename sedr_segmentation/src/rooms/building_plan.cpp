@@ -83,4 +83,20 @@ linksWithoutOpening(const Building& building, const Floorplan& plan)
   return warnings;
 }
 
+std::vector<PlanWarning>
+doubtsOfRooms(const Building& building)
+{
+  std::vector<PlanWarning> warnings;
+  for (const RoomDoubt& doubt : building.doubts) {
+    const auto [room, other] = doubt.rooms;
+    warnings.push_back({room == other ? WarningKind::TwoRooms : WarningKind::OneRoom,
+                        {doubt.area, static_cast<double>(other)},
+                        room,
+                        0,
+                        {},
+                        doubt.at});
+  }
+  return warnings;
+}
+
 } // namespace pcl::sedr

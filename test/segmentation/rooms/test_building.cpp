@@ -286,6 +286,38 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
 }
 
+TEST(FindBuilding, DoubtsTheRoomsWhereAWiderGapMakesThemOne)
+{
+  const auto foundWith = [](double width, double head) {
+    AirScene scene;
+    addTwoRooms(scene, {1.55 - width / 2, 1.55 + width / 2, head});
+    return Found(scene).building;
+  };
+  for (const double head : {2.31, 2.51}) {
+    SCOPED_TRACE(head);
+    Building last = foundWith(0.8, head);
+    EXPECT_EQ(last.rooms.size(), 2u);
+    EXPECT_TRUE(last.doubts.empty());
+    int changes = 0;
+    for (double width = 1; width < 2.9; width += 0.2) {
+      SCOPED_TRACE(width);
+      const Building building = foundWith(width, head);
+      if (building.rooms.size() != last.rooms.size()) {
+        ++changes;
+        EXPECT_FALSE(building.doubts.empty() && last.doubts.empty());
+      }
+      for (const RoomDoubt& doubt : building.doubts) {
+        EXPECT_EQ(doubt.rooms[0] != doubt.rooms[1], building.rooms.size() == 2);
+        EXPECT_NEAR((doubt.at - Eigen::Vector2d(4.1, 1.55)).norm(), 0, 0.3);
+        EXPECT_NEAR(doubt.area, 9, 1);
+        EXPECT_LE(doubt.chance, 0.5);
+      }
+      last = building;
+    }
+    EXPECT_EQ(changes, 1);
+  }
+}
+
 TEST(FindBuilding, ThatIsLaidInAFrameOfItsOwnStaysWhereItIs)
 {
   const AirScene scene = flat(17);

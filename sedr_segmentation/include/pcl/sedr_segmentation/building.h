@@ -73,6 +73,14 @@ struct RoomLink {
   double height() const { return top - bottom; }
 };
 
+/** @brief Two rooms that may be one, or a part of a room that may be one of its own. */
+struct RoomDoubt {
+  std::array<std::uint32_t, 2> rooms{}; ///< ids, increasing; the same: parts of a room
+  Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< where they meet
+  double area = 0;                              ///< of the smaller, square metres
+  double chance = 0;                            ///< probability that they are so
+};
+
 /** @brief The owner of a point: the room whose air the surface there bounds. */
 struct PointOwner {
   std::uint32_t room = 0; ///< number of the room, 0: none
@@ -89,6 +97,7 @@ struct Building {
   std::vector<RoomLink> links;     ///< on a storey; between two there are stairs
   std::vector<PlanStair> stairs;
   std::vector<LeftOut> left_out; ///< largest first
+  std::vector<RoomDoubt> doubts; ///< of a chance of a quarter at least
   double seen_area = 0;          ///< area of all free space that was seen, in plan, m2
 
   /** @brief Room of every point of the scan, 0 for none, and its label: ceiling (1),
@@ -110,6 +119,9 @@ void giveStoreys(const Building& building, Floorplan& plan);
  * elsewhere. O(links times openings). */
 std::vector<PlanWarning> linksWithoutOpening(const Building& building,
                                              const Floorplan& plan);
+
+/** @brief Returns a warning about each doubt of a building. */
+std::vector<PlanWarning> doubtsOfRooms(const Building& building);
 
 /** @brief Finds the frame of a building, in which what is found on grids does not
  * depend on where and how its scan lies.
