@@ -22,7 +22,7 @@ RAYS = 900_000      # of all stations
 BESIDE = 0.3        # metres from a room, where a doubt is still of it
 DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
           "standing", "half_wall", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up",
-          "in_line", "raised_floor", "noise")
+          "in_line", "raised_floor", "noise", "one_room", "two_rooms")
 
 
 def rectangle(x0, y0, x1, y1):
