@@ -65,8 +65,15 @@ print(const Building& building)
   for (const auto& room : building.rooms)
     std::printf("%4u %6u %9.2f %8.2f %10.2f %8.0f\n", room.id, room.storey, room.area,
                 rounded(room.floor), rounded(room.ceiling), 100 * room.enclosure);
-  for (const pcl::sedr::PlanWarning& warning : doubtsOfRooms(building))
-    std::printf("%s\n", sentenceOf(warning).c_str());
+  for (const pcl::sedr::RoomDoubt& doubt : building.doubts) {
+    const auto [room, other] = doubt.rooms;
+    std::printf("in doubt: %.1f m2 at (%.1f, %.1f), %.0f %% likely ", doubt.area,
+                doubt.at.x(), doubt.at.y(), 100 * doubt.chance);
+    if (room == other)
+      std::printf("a room apart from %u\n", room);
+    else
+      std::printf("of one room, %u and %u\n", room, other);
+  }
   for (const LeftOut& thing : building.left_out)
     if (thing.kind == LeftOutKind::Void)
       std::printf("left out: %.1f m2, %s\n", thing.area, thing.reason.c_str());

@@ -21,9 +21,9 @@ struct Words {
   const char* opposite = nullptr; ///< the sentence if the last value is below 0
 };
 
-/** In the order of WarningKind. Odds of kinds that at least six random buildings had are
- * what of the rooms or square metres was wrong there, see doc/reliability.md; the others
- * are chosen. */
+/** In the order of WarningKind. Odds of kinds that at least six random buildings had
+ * are what of the rooms or square metres was wrong there, see doc/reliability.md; the
+ * others are chosen. */
 constexpr std::array<Words, 48> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
@@ -127,9 +127,11 @@ constexpr std::array<Words, 48> words{{
      "there"},
     {"small_storey", "look at", Stake::Value, 0.5, "{reason}: a storey of {0.1} m2"},
     {"one_room", "look at", Stake::Value, 0.35,
-     "it may be one room with room {1.0}: little parts them where they meet{at}"},
+     "it may be one room with room {2.0}, {1.0} % likely: little parts them where they "
+     "meet{at}"},
     {"two_rooms", "look at", Stake::Value, 0.35,
-     "{0.1} m2 of it may be a room of their own: little joins them to the rest{at}"},
+     "{0.1} m2 of it may be a room of their own, {1.0} % likely: little joins them to "
+     "the rest{at}"},
     {"edited", "", Stake::None, 0, "{reason}"},
 }};
 

@@ -67,7 +67,7 @@ public:
       const bool is_turned = e.isArc()
                                  ? std::abs(e.sweep() - old.sweep()) > 0.5
                                  : (e.end - e.start).dot(old.end - old.start) <= 0;
-      if (is_turned || e.length() < same_line)
+      if (is_turned || (e.length() < same_line && old.length() >= same_line))
         broken = {(i + n - 1) % n, i, (i + 1) % n};
     }
     if (broken.empty() && crossesItself(result.polygon(chord)) &&

@@ -24,12 +24,20 @@ struct Run {
   std::uint32_t line;
   std::vector<Eigen::Vector2d> places; ///< ends of its pieces
   Eigen::Vector2d end;                 ///< where the next one begins
+  bool is_chord = false;               ///< in place of an arc of its curve
 
   bool isWithin(const PlanCurve& other, double distance) const
   {
-    return std::all_of(places.begin(), places.end(), [&](const Eigen::Vector2d& p) {
-      return other.distance(p) < distance;
-    });
+    for (std::size_t k = 0; k + 1 < places.size(); ++k)
+      for (const Eigen::Vector2d& p : {places[k], middleOf(k), places[k + 1]})
+        if (other.distance(p) >= distance)
+          return false;
+    return true;
+  }
+
+  Eigen::Vector2d middleOf(std::size_t piece) const
+  {
+    return (places[piece] + places[piece + 1]) / 2;
   }
 
   /** @brief Returns the area between it and another curve, about. */
@@ -37,8 +45,7 @@ struct Run {
   {
     double area = 0;
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
-      area += other.distance((places[k] + places[k + 1]) / 2) *
-              (places[k + 1] - places[k]).norm();
+      area += other.distance(middleOf(k)) * (places[k + 1] - places[k]).norm();
     return area;
   }
 
@@ -113,12 +120,14 @@ runsOf(const std::vector<Piece>& pieces,
     const Piece& piece = pieces[(first + k) % n];
     const Eigen::Vector2d& from = places.at(piece.from);
     const Eigen::Vector2d& to = places.at(piece.to);
-    if (k == 0 || !isOneRun(pieces[(first + k - 1) % n], piece))
-      runs.push_back(
-          {straight.count(piece.line) > 0 ? lineThrough(from, to) : curves[piece.line],
-           piece.line,
-           {from},
-           to});
+    if (k == 0 || !isOneRun(pieces[(first + k - 1) % n], piece)) {
+      const bool is_chord = straight.count(piece.line) > 0;
+      runs.push_back({is_chord ? lineThrough(from, to) : curves[piece.line],
+                      piece.line,
+                      {from},
+                      to,
+                      is_chord});
+    }
     runs.back().places.push_back(to);
     runs.back().end = to;
   }
@@ -139,7 +148,7 @@ bridgeTouching(std::vector<Run>& runs)
     for (std::size_t i = 0; i < n; ++i) {
       double area = 0;
       std::size_t k = i + 1;
-      for (; at(k).line != at(i).line && area < smallest; ++k)
+      for (; !at(i).is_chord && at(k).line != at(i).line && area < smallest; ++k)
         area += n == 2 && at(i).curve.isCircle() && at(k).isWithin(at(i).curve, apart)
                     ? 0
                     : at(k).areaTo(at(i).curve);
@@ -326,6 +335,9 @@ private:
       straight_.erase(circle);
     }
     straight_.insert(circles.begin(), circles.end());
+    if (!isOutline(loopOfPieces(pieces)))
+      for (const std::uint32_t circle : circles)
+        straight_.erase(circle); // they do not help
   }
 
   static LabelLoops loopsOfLabel(const std::vector<Outline>& all)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -84,17 +85,20 @@ linksWithoutOpening(const Building& building, const Floorplan& plan)
 }
 
 std::vector<PlanWarning>
-doubtsOfRooms(const Building& building)
+doubtsOfRooms(const Building& building, const Floorplan& plan)
 {
   std::vector<PlanWarning> warnings;
   for (const RoomDoubt& doubt : building.doubts) {
     const auto [room, other] = doubt.rooms;
-    warnings.push_back({room == other ? WarningKind::TwoRooms : WarningKind::OneRoom,
-                        {doubt.area, static_cast<double>(other)},
-                        room,
-                        0,
-                        {},
-                        doubt.at});
+    if (!findRoom(plan, room) || !findRoom(plan, other))
+      continue;
+    PlanWarning warning{WarningKind::TwoRooms, {doubt.area, 100 * doubt.chance}, room};
+    if (room != other) {
+      warning.kind = WarningKind::OneRoom;
+      warning.values.push_back(other);
+    }
+    warning.at = doubt.at;
+    warnings.push_back(std::move(warning));
   }
   return warnings;
 }

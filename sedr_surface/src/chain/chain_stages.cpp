@@ -9,7 +9,6 @@
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -179,7 +178,7 @@ ChainRun::findOpenings(StageReport& report)
   labelNiches(stages.room_segmentation.getBuilding().owner_of,
               stages.refinement.getMaximumDistance(), model);
   const Building& building = stages.room_segmentation.getBuilding();
-  append(doubtsOfRooms(building), model.warnings);
+  append(doubtsOfRooms(building, *model.plan), model.warnings);
   append(linksWithoutOpening(building, *model.plan), model.warnings);
   append(unexplainedSurfaces(thinned, building, *model.plan,
                              *stages.opening_detection.getSearch(),
@@ -223,8 +222,8 @@ ChainRun::refine(StageReport& report)
     stages.refinement.setFloorplan(planOf(room));
     stages.refinement.filter(*refined.back());
     const pcl::Indices& sources = stages.refinement.getSourceIndices();
-    for (std::size_t k = 0; k < sources.size();
-         ++k) // a ceiling may be that of a detail
+    // A point labelled ceiling that was moved to a soffit is a detail from here on.
+    for (std::size_t k = 0; k < sources.size(); ++k)
       assign(model, of_room[static_cast<std::size_t>(sources[k])],
              static_cast<StructureLabel>((*refined.back())[k].label), room.id);
     if (!stages.refinement.getErrorMessage().empty()) // a room without points is empty

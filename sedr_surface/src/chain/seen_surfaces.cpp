@@ -124,16 +124,25 @@ SeenSurfaces::tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) c
   for (const std::size_t k : {0, 1})
     for (const auto& [key, height] : beyond_[2 * room + k]) {
       heights[k].emplace_back(key, height - floor);
-      if (k == 1 && !isOnSlab(room, key, false))
+      const bool is_inside =
+          plan.boundary.distance(grid_.centre(cellOf(key))) > grid_.size();
+      if (k == 1 && is_inside && !isOnSlab(room, key, false))
         open.push_back(heights[k].back());
     }
   const Patches below(heights[0], grid_.size());
-  const Patches above(heights[1], grid_.size(), 0); // however small, as between ribs
-  const bool are_both = std::min(below.area, above.area) > told;
-  if (are_both)
+  const Patches above(heights[1], grid_.size());
+  if (std::min(below.area, above.area) > told) {
     warnings.push_back(slabWarning(true, below, plan));
-  if (are_both || Patches(open, grid_.size(), 0).area >= told_share * surfacesOf(plan))
     warnings.push_back(slabWarning(false, above, plan));
+    return;
+  }
+  const Patches pieces(open, grid_.size(), 0); // however small, as between ribs
+  const bool is_told =
+      std::any_of(warnings.begin(), warnings.end(), [&](const PlanWarning& warning) {
+        return warning.room == plan.id && warning.kind == WarningKind::CeilingOff;
+      });
+  if (!is_told && pieces.area >= told_share * surfacesOf(plan))
+    warnings.push_back(slabWarning(false, pieces, plan));
 }
 
 void

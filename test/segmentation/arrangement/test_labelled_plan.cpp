@@ -163,6 +163,27 @@ TEST(LabelLoops, ASliverBetweenAnArcAndItsChordIsNoColumn)
   EXPECT_TRUE(loops.holes.empty());
 }
 
+TEST(LabelLoops, ARoundRoomKeepsItsFlatWall)
+{
+  // 240 degrees of a circle of 3 m in chords, and a chord of 5.2 m in one piece.
+  PlanCurve circle;
+  circle.radius = 3;
+  const auto placeAt = [](int k) {
+    const double angle = k * M_PI / 48;
+    return Eigen::Vector2d(3 * std::cos(angle), 3 * std::sin(angle));
+  };
+  std::vector<CellBorder> borders;
+  for (int k = 0; k < 64; ++k)
+    borders.push_back({0, placeAt(k), placeAt(k + 1), 1, 0});
+  borders.push_back({1, placeAt(64), placeAt(0), 1, 0});
+  const PlanLoop loop =
+      labelLoops(borders, {0, 1}, 1, {circle, lineThrough(placeAt(64), placeAt(0))})[0]
+          .outer;
+  ASSERT_EQ(loop.elements.size(), 2U);
+  EXPECT_NE(loop.elements[0].isArc(), loop.elements[1].isArc());
+  EXPECT_NEAR(loop.area(), 9 * (2 * M_PI / 3 + std::sqrt(3) / 4), 1e-9);
+}
+
 TEST(LabelLoops, RoomsShareTheChordsOfAnArcThatWouldCrossAWallOfOne)
 {
   // A round-headed room below another one, into which a spike goes down to 3 mm above

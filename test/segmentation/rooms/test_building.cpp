@@ -289,10 +289,13 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
 TEST(FindBuilding, DoubtsTheRoomsWhereAWiderGapMakesThemOne)
 {
   const auto foundWith = [](double width, double head) {
-    AirScene scene;
+    AirScene scene(17);
     addTwoRooms(scene, {1.55 - width / 2, 1.55 + width / 2, head});
-    return Found(scene).building;
+    BuildingParameters parameters;
+    parameters.own_frame = true;
+    return Found(scene, parameters).building;
   };
+  const Eigen::Vector2d middle = AirScene(17).place(4.1, 1.55);
   for (const double head : {2.31, 2.51}) {
     SCOPED_TRACE(head);
     Building last = foundWith(0.8, head);
@@ -308,7 +311,7 @@ TEST(FindBuilding, DoubtsTheRoomsWhereAWiderGapMakesThemOne)
       }
       for (const RoomDoubt& doubt : building.doubts) {
         EXPECT_EQ(doubt.rooms[0] != doubt.rooms[1], building.rooms.size() == 2);
-        EXPECT_NEAR((doubt.at - Eigen::Vector2d(4.1, 1.55)).norm(), 0, 0.3);
+        EXPECT_NEAR((doubt.at - middle).norm(), 0, 0.3);
         EXPECT_NEAR(doubt.area, 9, 1);
         EXPECT_LE(doubt.chance, 0.5);
       }
@@ -334,6 +337,25 @@ TEST(FindBuilding, ThatIsLaidInAFrameOfItsOwnStaysWhereItIs)
   const RoomLink& door = b.links[0];
   EXPECT_NEAR(((door.start + door.end) / 2 - scene.place(4.1, 1.5)).norm(), 0, 0.2);
   EXPECT_NEAR(door.top, 2.11, 0.16);
+}
+
+TEST(DoubtsOfRooms, AreToldOfRoomsOfThePlan)
+{
+  Building building;
+  building.doubts = {{{1, 1}, {1, 2}, 3.2, 0.48}, {{1, 2}, {4.1, 1.5}, 9, 0.25}};
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.2, 0, 8, 3), 2.5, 2)}};
+  const std::vector<PlanWarning> told = doubtsOfRooms(building, plan);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(
+      sentenceOf(told[0]),
+      "room 1: 3.2 m2 of it may be a room of their own, 48 % likely: little joins "
+      "them to the rest around (1.0, 2.0)");
+  EXPECT_EQ(sentenceOf(told[1]),
+            "room 1: it may be one room with room 2, 25 % likely: little parts them "
+            "where they meet around (4.1, 1.5)");
+  plan.rooms.pop_back();
+  EXPECT_EQ(doubtsOfRooms(building, plan).size(), 1u) << "of no room of the plan";
 }
 
 TEST(LinksWithoutOpening, AreToldUnlessAnOpeningJoinsTheirRoomsThere)

@@ -60,8 +60,8 @@ enum class WarningKind {
   InLine,        ///< m of the edge of a soffit that goes on where the wall ends
   RaisedFloor,   ///< m2, m above the floor
   SmallStorey,   ///< m2; reason: its name
-  OneRoom,       ///< m2 of the smaller; the other room
-  TwoRooms,      ///< m2 of the smaller part
+  OneRoom,       ///< m2 of the smaller, % of chance; the other room
+  TwoRooms,      ///< m2 of the smaller part, % of chance
   Edited         ///< reason
 };
 

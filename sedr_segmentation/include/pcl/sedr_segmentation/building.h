@@ -97,7 +97,8 @@ struct Building {
   std::vector<RoomLink> links;     ///< on a storey; between two there are stairs
   std::vector<PlanStair> stairs;
   std::vector<LeftOut> left_out; ///< largest first
-  std::vector<RoomDoubt> doubts; ///< of a chance of a quarter at least
+  std::vector<RoomDoubt> doubts; ///< of a chance of a quarter at least, and as
+                                 ///< large as a room may be
   double seen_area = 0;          ///< area of all free space that was seen, in plan, m2
 
   /** @brief Room of every point of the scan, 0 for none, and its label: ceiling (1),
@@ -120,8 +121,8 @@ void giveStoreys(const Building& building, Floorplan& plan);
 std::vector<PlanWarning> linksWithoutOpening(const Building& building,
                                              const Floorplan& plan);
 
-/** @brief Returns a warning about each doubt of a building. */
-std::vector<PlanWarning> doubtsOfRooms(const Building& building);
+/** @brief Returns a warning about each doubt of a building about rooms of a plan. */
+std::vector<PlanWarning> doubtsOfRooms(const Building& building, const Floorplan& plan);
 
 /** @brief Finds the frame of a building, in which what is found on grids does not
  * depend on where and how its scan lies.
