@@ -186,7 +186,8 @@ private:
         }
   }
 
-  /** @brief Returns the lines and circles through chains from a place. */
+  /** @brief Returns the lines through chains from a place, and the circles through
+   * those that a circle fits better. */
   std::vector<FaceCurve> grownFrom(std::size_t seed) const
   {
     std::vector<FaceCurve> grown;
@@ -194,30 +195,45 @@ private:
       const std::vector<Eigen::Vector2d> chain = chainFrom(seed, half);
       if (static_cast<double>(chain.size()) * FaceCurve::bin * places_.scale < half)
         break;
-      if (!mainNormalOf(fitCurve(false, chain, places_.sigma), normals_))
-        addGrown(false, chain, grown);
-      if (chain.size() > 4)
-        addGrown(true, chain, grown);
+      const PlanCurve line = fitCurve(false, chain, places_.sigma);
+      if (!mainNormalOf(line, normals_))
+        addGrown(line, chain.front(), grown);
+      if (chain.size() <= 4)
+        continue;
+      const PlanCurve circle = fitCurve(true, chain, places_.sigma);
+      if (misfitOf(line, chain) - misfitOf(circle, chain) >
+          0.5 * std::log(static_cast<double>(chain.size()))) // BIC
+        addGrown(circle, chain.front(), grown);
     }
     return grown;
   }
 
-  /** @brief Adds the curve that fits a chain, grown to its support. */
-  void addGrown(bool is_circle,
-                const std::vector<Eigen::Vector2d>& chain,
+  /** @brief Returns how badly a curve fits a chain, nats. */
+  double misfitOf(const PlanCurve& curve,
+                  const std::vector<Eigen::Vector2d>& chain) const
+  {
+    double misfit = 0;
+    for (const Eigen::Vector2d& place : chain)
+      misfit += std::min(std::pow(curve.distance(place) / places_.sigma, 2) / 2, 4.5);
+    return misfit;
+  }
+
+  /** @brief Adds the curve through a chain, grown to its support. */
+  void addGrown(const PlanCurve& curve,
+                const Eigen::Vector2d& seed,
                 std::vector<FaceCurve>& grown) const
   {
     constexpr int rounds = 3;
     FaceCurve found;
-    found.curve = fitCurve(is_circle, chain, places_.sigma);
+    found.curve = curve;
     for (int r = 0; r < rounds; ++r) {
       if (!radii_.allows(found.curve, places_.sigma))
         return;
-      const std::vector<Eigen::Vector2d> support = supportOf(found, chain.front());
+      const std::vector<Eigen::Vector2d> support = supportOf(found, seed);
       if (support.size() < 5)
         return;
       if (r + 1 < rounds)
-        found.curve = fitCurve(is_circle, support, places_.sigma);
+        found.curve = fitCurve(curve.isCircle(), support, places_.sigma);
     }
     if (found.to - found.from >= 0.3)
       grown.push_back(found);
