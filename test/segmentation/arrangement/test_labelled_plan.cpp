@@ -187,7 +187,7 @@ TEST(LabelLoops, ARoundRoomKeepsItsFlatWall)
 TEST(LabelLoops, RoomsShareTheChordsOfAnArcThatWouldCrossAWallOfOne)
 {
   // A round-headed room below another one, into which a spike goes down to 3 mm above
-  // a chord; the arc there is 1 cm above it.
+  // a chord; the arc there is 1 cm above it. One piece of the arc is of a line.
   PlanCurve circle;
   circle.radius = 0.5;
   std::vector<PlanCurve> curves{circle};
@@ -198,8 +198,9 @@ TEST(LabelLoops, RoomsShareTheChordsOfAnArcThatWouldCrossAWallOfOne)
         std::atan2(0.3, -0.4) * (1 - k / 5.0) + std::atan2(0.3, 0.4) * (k / 5.0);
     arc.emplace_back(0.5 * std::cos(angle), 0.5 * std::sin(angle));
     if (k > 0)
-      borders.push_back({0, arc[k - 1], arc[k], 2, 1});
+      borders.push_back({k == 4 ? 1U : 0U, arc[k - 1], arc[k], 2, 1});
   }
+  curves.push_back(lineThrough(arc[3], arc[4]));
   const auto addLine = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                            std::uint32_t left) {
     borders.push_back({static_cast<std::uint32_t>(curves.size()), a, b, left, 0});
@@ -222,6 +223,38 @@ TEST(LabelLoops, RoomsShareTheChordsOfAnArcThatWouldCrossAWallOfOne)
     EXPECT_EQ(outlineProblem(room.outer), "");
   EXPECT_NEAR(loops[0].outer.area() + loops[1].outer.area(), 0.8 * 3 - 0.1 * (2 - y),
               1e-9);
+}
+
+TEST(LabelLoops, ARoomKeepsItsArcWhereChordsDoNotHelpAnother)
+{
+  // Heads of two rooms on one circle; the walls of the first cross.
+  PlanCurve circle;
+  circle.radius = 1;
+  std::vector<PlanCurve> curves{circle};
+  std::vector<CellBorder> borders;
+  const auto addRoom = [&](double from, const std::vector<Eigen::Vector2d>& others,
+                           std::uint32_t label) {
+    std::vector<Eigen::Vector2d> places;
+    for (int k = 0; k <= 4; ++k)
+      places.emplace_back(std::cos(from + 0.1 * k), std::sin(from + 0.1 * k));
+    places.insert(places.end(), others.begin(), others.end());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Eigen::Vector2d& a = places[k];
+      const Eigen::Vector2d& b = places[(k + 1) % places.size()];
+      borders.push_back(
+          {k < 4 ? 0 : static_cast<std::uint32_t>(curves.size()), a, b, label, 0});
+      if (k >= 4)
+        curves.push_back(lineThrough(a, b));
+    }
+  };
+  addRoom(0, {{0.5, 0.2}, {2, 0.1}, {0.5, 0}}, 1);
+  addRoom(2, {{-0.6, 0.2}, {-0.2, 0.3}}, 2);
+  const std::vector<LabelLoops> loops = labelLoops(borders, {0, 1, 2}, 2, curves);
+  EXPECT_NE(outlineProblem(loops[0].outer), "");
+  ASSERT_EQ(loops[1].outer.elements.size(), 4U);
+  EXPECT_TRUE(std::any_of(loops[1].outer.elements.begin(),
+                          loops[1].outer.elements.end(),
+                          [](const PlanElement& e) { return e.isArc(); }));
 }
 
 TEST(LabelLoops, ARunOnAnotherCircleEndsWhereItsNeighboursDo)

@@ -199,6 +199,24 @@ TEST(UnexplainedSurfaces, AreCoffersHoweverSmallThatThePlanDoesNotHave)
   EXPECT_NEAR(found[0].values[1], 2.8, 1e-3);
 }
 
+TEST(UnexplainedSurfaces, AreCeilingsThatAreToldOnceAndNotAlongWalls)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  for (const float y : {0.0F, 2.9F}) // what lies above the ceiling at the walls
+    addRectangle({0, y, 2.8F}, {4, 0, 0}, {0, 0.1F, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty());
+  Building building = buildingOfTwoRooms();
+  for (RoomColumn& column : building.rooms[0].columns)
+    if ((building.grid.centre(column.cell) - Eigen::Vector2d(2, 1.5))
+            .lpNorm<Eigen::Infinity>() < 0.75)
+      column.ceiling = 2.8F;
+  addRectangle({1.25F, 0.75F, 2.8F}, {1.5F, 0, 0}, {0, 1.5F, 0}, cloud);
+  const auto found = unexplained(cloud, plan, building);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
+}
+
 TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
 {
   const Floorplan plan{{planned(1, 0, 4)}};
