@@ -11,6 +11,7 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double max_hidden = 5; // metres, between parts of a face, or to a corner
+constexpr double step = 0.1;     // metres, along lines on which points are looked for
 
 /** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
 void
@@ -102,18 +103,22 @@ StoreyLine::box() const
 
 LineEvidence::LineEvidence(const StoreyEvidence& storey)
     : storey_(storey)
-    , boxes_(storey.cells.size())
 {
   const auto near = [](const CellMask& cells) {
     return dilated(cells, 1.5); // cells: also across corners
   };
+  std::vector<Eigen::Vector2d> walls;
+  std::vector<Eigen::Vector2d> parts;
   for (const std::size_t r : storey.storey.rooms) {
     const RoomCells& room = storey.cells[r];
-    for (const Eigen::Vector2d& p : room.wall_points)
-      boxes_[r].extend(p);
+    walls.insert(walls.end(), room.wall_points.begin(), room.wall_points.end());
+    wall_rooms_.resize(walls.size(), static_cast<std::uint32_t>(r));
+    parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
+  walls_ = PlanPoints(walls, step);
+  parts_ = PlanPoints(parts, step);
 }
 
 bool
@@ -131,6 +136,26 @@ LineEvidence::cellAt(const StoreyLine& line, std::size_t bin) const
   return storey_.grid.at(p.x(), p.y());
 }
 
+template <typename Visitor>
+void
+LineEvidence::forEachOn(const StoreyLine& line,
+                        const PlanPoints& points,
+                        Visitor visit) const
+{
+  const auto steps =
+      static_cast<std::size_t>(std::ceil((line.to - line.from) / step)) + 1;
+  for (std::size_t k = 0; k < steps; ++k)
+    points.forEachIndexWithin(
+        line.at(std::min(line.to, line.from + static_cast<double>(k) * step)),
+        std::hypot(line.near, step), [&](std::size_t i) {
+          const Eigen::Vector2d& p = points.all()[i];
+          const double d = line.curve.distance(p) / line.near;
+          if (const double s = line.along(p); d < 1 && s >= line.from && s <= line.to)
+            visit(points.given(i),
+                  static_cast<std::size_t>((s - line.from) / StoreyLine::bin), s, d);
+        });
+}
+
 void
 LineEvidence::observe(StoreyLine& line) const
 {
@@ -140,25 +165,20 @@ LineEvidence::observe(StoreyLine& line) const
   line.seen.clear();
   line.edges.clear();
   std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
-  const Eigen::AlignedBox2d box = line.box();
-  for (const std::size_t r : storey_.storey.rooms) {
-    if (!box.intersects(boxes_[r]))
-      continue;
-    std::vector<float> seen(bins, 0);
-    for (const Eigen::Vector2d& p : storey_.cells[r].wall_points) {
-      const double d = line.curve.distance(p) / line.near;
-      const double s = d < 1 ? line.along(p) : line.to + 1;
-      if (s < line.from || s > line.to)
-        continue;
-      const auto i = static_cast<std::size_t>((s - line.from) / StoreyLine::bin);
-      seen[i] = std::max(seen[i], static_cast<float>(1 - d * d));
-      ends[i] = {std::min(ends[i].first, s), std::max(ends[i].second, s)};
-    }
-    clean(seen);
+  forEachOn(line, walls_, [&](std::size_t k, std::size_t i, double s, double d) {
+    std::vector<float>& seen = line.seen[wall_rooms_[k]];
+    seen.resize(bins, 0);
+    seen[i] = std::max(seen[i], static_cast<float>(1 - d * d));
+    ends[i] = {std::min(ends[i].first, s), std::max(ends[i].second, s)};
+  });
+  for (auto room = line.seen.begin(); room != line.seen.end();) {
+    const std::vector<float>& seen = room->second;
+    clean(room->second);
     for (std::size_t i = 0; i < bins; ++i)
       line.any[i] = std::max(line.any[i], seen[i]);
-    if (std::any_of(seen.begin(), seen.end(), [](float v) { return v > 0; }))
-      line.seen.emplace(static_cast<std::uint32_t>(r), std::move(seen));
+    const bool is_seen =
+        std::any_of(seen.begin(), seen.end(), [](float v) { return v > 0; });
+    room = is_seen ? std::next(room) : line.seen.erase(room);
   }
   for (std::size_t i = 0; i < bins; ++i) {
     if (line.any[i] > 0 && (i == 0 || !(line.any[i - 1] > 0)))
@@ -217,12 +237,19 @@ LineEvidence::findBetween(StoreyLine& line) const
   const std::size_t bins = line.tall.size();
   const std::vector<double> since = waysToSurface(line.tall, true);
   const std::vector<double> until = waysToSurface(line.tall, false);
+  std::vector<float> parts(bins, 0);
+  forEachOn(line, parts_,
+            [&](std::size_t, std::size_t i, double, double) { parts[i] = 1; });
+  clean(parts);
   line.between.assign(bins, StoreyLine::Between::Beyond);
-  for (std::size_t i = 0; i < bins; ++i)
-    if (const Cell cell = cellAt(line, i); isIn(part_, cell) && !isIn(opaque_, cell))
+  for (std::size_t i = 0; i < bins; ++i) {
+    const bool is_gap = since[i] + until[i] < max_hidden;
+    const Cell cell = cellAt(line, i);
+    if ((is_gap && parts[i] > 0) || (isIn(part_, cell) && !isIn(opaque_, cell)))
       line.between[i] = StoreyLine::Between::Partly;
-    else if (since[i] + until[i] < max_hidden)
+    else if (is_gap)
       line.between[i] = StoreyLine::Between::Gap;
+  }
 }
 
 } // namespace pcl::sedr

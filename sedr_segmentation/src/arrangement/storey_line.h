@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../curves/plan_points.h"
 #include "../faces/storeys.h"
 #include "../proposals/face_proposals.h"
 
@@ -63,8 +64,8 @@ public:
   /** @brief O(cells of the storey). */
   explicit LineEvidence(const StoreyEvidence& storey);
 
-  /** @brief Finds where each room saw the surface of a line. O(points of the rooms that
-   * it enters). */
+  /** @brief Finds where each room saw the surface of a line. O(its length + points near
+   * it). */
   void observe(StoreyLine& line) const;
 
   /** @brief Lets a line that was observed go on up to the nearest corners with surfaces
@@ -75,11 +76,18 @@ public:
   void findBetween(StoreyLine& line) const;
 
 private:
+  /** @brief Calls `visit(point, bin of the line, way along it, distance as a share of
+   * the line's maximum)` for points on a line; some twice. */
+  template <typename Visitor>
+  void forEachOn(const StoreyLine& line, const PlanPoints& points, Visitor visit) const;
+
   Cell cellAt(const StoreyLine& line, std::size_t bin) const;
   static bool isIn(const std::vector<CellMask>& masks, Cell cell);
 
   const StoreyEvidence& storey_;
-  std::vector<Eigen::AlignedBox2d> boxes_; ///< of the surfaces of each room
+  PlanPoints walls_{{}, 1}; ///< RoomCells::wall_points of all rooms
+  std::vector<std::uint32_t> wall_rooms_;
+  PlanPoints parts_{{}, 1};      ///< RoomCells::part_points of all rooms
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
   std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
 };

@@ -318,6 +318,8 @@ gatherWalls(const PointView& points,
       cells.riser.values()[i] = 0;
       continue;
     }
+    if (cells.riser.values()[i])
+      cells.part_points.emplace_back(sums[i].hnormalized());
     // As good as a wall above a parapet; elsewhere it may be noise of the ceiling.
     if (cells.riser.values()[i] && is_low[i] && near_base.values()[i]) {
       cells.wall_points.insert(cells.wall_points.end(), p.filled,
@@ -325,6 +327,13 @@ gatherWalls(const PointView& points,
       cells.wall_shares.insert(cells.wall_shares.end(), p.filled, shareAt(i));
     }
   }
+  const auto addPart = [&](std::size_t at, const Eigen::Vector3f& q) {
+    const double above = q.z() - cells.floor;
+    if (cells.base.values()[at] && above > p.rim && above < p.sill)
+      cells.part_points.emplace_back(q.head<2>().cast<double>());
+  };
+  forEachIn(cells.seen, grid, points, room.walls, addPart, atTop);
+  forEachIn(cells.seen, grid, points, room.others, addPart, atTop);
 }
 
 bool

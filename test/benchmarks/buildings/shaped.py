@@ -178,6 +178,17 @@ def open_walls(rng, building):
         walls.add_windows(rng, room, building.rooms, STYLE, 0.3)
 
 
+def lobby_meets(room, door, rooms):
+    """Whether the space behind a door, with its walls, reaches into a room."""
+    thickness, step = 0.1, 0.15
+    a, u, n, _ = g.frame(room.edges[door["wall"]])
+    margin, depth = door["lobby"]["margin"] + thickness, door["lobby"]["depth"] + thickness
+    first, last = door["from"] - margin, door["to"] + margin
+    places = [g.along(g.along(a, u, min(first + step * i, last)), n, min(door["depth"] + step * k, door["depth"] + depth))
+              for i in range(math.ceil((last - first) / step) + 1) for k in range(math.ceil(depth / step) + 1)]
+    return any(g.inside(other.outline, p) for other in rooms for p in places)
+
+
 def front_door(rng, room, rooms):
     """A door to a lobby, shut or open."""
     stretches = walls.outer_stretches(room, rooms, 4.0)
@@ -190,6 +201,8 @@ def front_door(rng, room, rooms):
                     "leaf": {"hinge": "from", "angle": rng.choice((0, 90))}}
             if door["leaf"]["angle"] == 90:
                 door["lobby"] = {"depth": 2.4, "margin": round(rng.uniform(0.6, 1.4), 2), "height": 2.5}
+                if lobby_meets(room, door, rooms):  # as in the notch of an L
+                    raise Unfit
                 room.obstacles.append(walls.leaf_outline(room, door))
             room.openings.append(door)
             room.use(wall, at, at + 0.9)

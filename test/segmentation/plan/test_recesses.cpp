@@ -150,6 +150,39 @@ TEST(Recesses, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
   EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
 }
 
+TEST(Recesses, NorAreThoseOfBlindsJustBehindTheWall)
+{
+  // Up to the ceiling, and below a lintel behind which no ceiling is seen.
+  const PlanLoop walls = rectangle(0.01, 0.01, 5.01, 4.01);
+  for (const double head : {2.6, 2.42})
+    for (const double depth : {0.08, 0.15}) {
+      const auto isOpening = [&](double s, double z) {
+        return s > 1 && s < 2.8 && z > 0.9 && z < head;
+      };
+      RoomPoints points(0.05, 0.003);
+      const RoomParts parts =
+          points.room(roomOf(walls, 2.6), [&](const Eigen::Vector3d& p) {
+            return p.y() < 3.97 || !isOpening(p.x(), p.z());
+          });
+      PlanEvidence evidence = evidenceOf(points, parts);
+      const PlanLoop recess = rectangle(1, 4.01, 2.8, 4.01 + depth);
+      for (const std::size_t side : {1, 2, 3})
+        evidence.walls =
+            joined(evidence.walls, points.wall(recess.elements[side], 0.9, head));
+      const std::vector<int> soffit = points.slab(recess, head);
+      if (head == 2.6)
+        evidence.ceiling = joined(evidence.ceiling, soffit);
+      evidence.all = points.all();
+      Fitting fitting;
+      setEvidence(points, evidence, fitting);
+      Floorplan plan;
+      ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+      const PlanLoop& found = plan.rooms.front().boundary;
+      EXPECT_EQ(found.elements.size(), 4u) << head << ' ' << depth;
+      EXPECT_LT(cornerError(found, walls), 0.01) << head << ' ' << depth;
+    }
+}
+
 TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
 {
   const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {
