@@ -13,7 +13,8 @@ import random
 
 from shapely.geometry import Point, Polygon
 
-from buildings import oddities, runs
+from buildings import oddities
+from buildings import runs
 
 KINDS = {"first": oddities.FIRST, "later": oddities.LATER}
 MOST_OFF = 0.02     # share of a surface more than 5 cm from the other
