@@ -295,8 +295,8 @@ def room_divider(s):
 
 
 def wall_duct(s):
-    """A duct along a wall, at the ceiling or a little below."""
-    size, below = [round(s.x - s.between(0.01, 1.5), 3), s.between(0.25, 0.6), s.between(0.2, 0.45)], s.rng.choice((0.01, s.between(0.02, 0.3)))
+    """A duct along a wall, a little below the ceiling: one that touches it is a soffit."""
+    size, below = [round(s.x - s.between(0.01, 1.5), 3), s.between(0.25, 0.6), s.between(0.2, 0.45)], s.between(0.03, 0.3)
     s.room["furniture"].append({"block": {"name": "duct", "wall": 2, "s": s.x / 2, "gap": s.rng.choice((0.005, s.between(0.02, 0.15))),
                                           "raise": round(s.height - size[2] - below, 3), "size": size}})
 
@@ -324,15 +324,10 @@ def baffle(s):
 
 
 def attic(s):
-    """A steep ceiling above a knee wall, half of them with a dormer."""
+    """A steep ceiling above a knee wall."""
     slope, knee = s.between(25, 45), s.between(0.6, 1.3)
     s.room["ceiling"] = {"height": knee, "slope": slope, "towards": 90, "at": [0, 0]}
     s.room["openings"] = [{"wall": 2, "from": 0.6, "to": 1.5, "head": 2.03, "depth": 0.15, "lobby": {"depth": 2, "margin": 1, "height": 2.3}}]
-    reach = (2.2 - knee) / math.tan(math.radians(slope))
-    if s.rng.random() < 0.5 and reach < s.y - 0.5:
-        x0, x1 = round(s.x * 0.3, 3), round(s.x * 0.3 + s.between(1, 2), 3)
-        s.room["ceiling_details"] = [{"loop": rectangle(x0, 0, x1, reach), "height": 2.2}]
-        s.room["openings"].append({"wall": 0, "from": x0 + 0.15, "to": x1 - 0.15, "sill": 0.9, "head": 2, "depth": 0.2, "glazing": {}})
     s.stations = [[s.x * 0.3, s.y * 0.6, 1.5], [s.x * 0.7, s.y * 0.65, 1.5]]
 
 
