@@ -29,13 +29,13 @@ const double max_wall = Priors().max_wall;
 const Weights&
 wallWeights()
 {
-  static const Weights weights{{-2.21, -1.77, -1.70},
-                               {{"log_length", 0.60},
-                                {"measured", 2.14},
-                                {"placed", 2.01},
-                                {"log_error", -1.14},
-                                {"two_faces", 0.94},
-                                {"off", -0.73}}};
+  static const Weights weights{{-3.34, -2.80, -2.72},
+                               {{"log_length", 0.73},
+                                {"measured", 2.61},
+                                {"placed", 2.45},
+                                {"log_error", -1.39},
+                                {"two_faces", 1.14},
+                                {"off", -0.89}}};
   return weights;
 }
 
