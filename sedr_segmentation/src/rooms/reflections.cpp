@@ -153,11 +153,22 @@ placesOfParts(const AirGaps& air,
   std::vector<Places> places(parted.rooms);
   const VoxelColumns& columns = air.columns();
   CubeTable cubes(mirror_cube);
+  const auto isOfSlab = [&](const Eigen::Vector3d& p) {
+    const std::uint32_t column = air.columnAt(p.head<2>());
+    for (std::size_t g = column == VoxelColumns::none ? air.size() : air.first(column);
+         g < air.size() && air[g].column == column; ++g)
+      if (parted.room[g] != PartedAir::no_room &&
+          (std::abs(p.z() - columns.heightOf(air[g].high)) <= beside ||
+           std::abs(p.z() - floors[static_cast<std::size_t>(parted.room[g])]) <=
+               beside))
+        return true;
+    return false;
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d p = points[i].cast<double>();
     const std::size_t known = cubes.size();
-    if (!points.isFinite(i) || cubes.add(cubes.at(p)) < known ||
-        !columns.grid().holds(points[i].x(), points[i].y()))
+    if (!points.isFinite(i) || !columns.grid().holds(points[i].x(), points[i].y()) ||
+        isOfSlab(p) || cubes.add(cubes.at(p)) < known)
       continue;
     for (int k = 0; k < 9; ++k) {
       const std::uint32_t column =
