@@ -224,6 +224,11 @@ mirroredParts(const AirGaps& air,
   std::vector<std::uint8_t> is_mirrored(parted.rooms, 0);
   const std::vector<Places> places = placesOfParts(air, parted, points, floors);
   for (const auto& [parts, border] : bordersOf(air, parted)) {
+    const auto isBetween = [a = parts.first, b = parts.second](const RoomOpening& at) {
+      return at.a == a && at.b == b;
+    };
+    if (std::any_of(parted.openings.begin(), parted.openings.end(), isBetween))
+      continue; // no mirror is there
     const auto [behind, before] =
         std::minmax(parts.first, parts.second, [&](std::size_t a, std::size_t b) {
           return places[a].size() < places[b].size();
