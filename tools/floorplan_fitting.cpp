@@ -82,8 +82,9 @@ run(const Settings& settings, Fitting& fitting)
     giveStoreys(building, plan);
   writeWhole(settings.output, documentToJson(document));
   settings.picture.write([&] { return drawPlan(plan, fitting.getBoundaries()); });
-  for (const auto& warning : fitting.getWarnings())
-    warn(sentenceOf(warning));
+  for (const auto& warnings : {fitting.getWarnings(), doubtsOfRooms(building, plan)})
+    for (const auto& warning : warnings)
+      warn(sentenceOf(warning));
   for (const auto& room : plan.rooms)
     tell(room);
   return Done;
@@ -116,7 +117,7 @@ main(int argc, char** argv)
                "PCD or PLY file of the scan before thinning, to fit the plan to");
   options.text("building", settings.building,
                "JSON file of pcl_room_segmentation: the plan gets its storeys "
-               "and stairs");
+               "and stairs, its doubts are told");
   settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, fitting); });
 }

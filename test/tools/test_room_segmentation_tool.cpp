@@ -104,18 +104,21 @@ TEST_F(RoomSegmentationTool, RoomSegmentationWritesTheBuilding)
       1);
 }
 
-TEST_F(RoomSegmentationTool, ABuildingReadsBackWithItsLinksAndNothingElseDoes)
+TEST_F(RoomSegmentationTool, ABuildingReadsBackWithLinksAndDoubtsAndNothingElseDoes)
 {
   pcl::sedr::Building building;
   building.links = {{{1, 2}, {4.1, 1.0 / 3}, {4.1, 1.2}, 0.01, 2.05}};
+  building.doubts = {{{2, 2}, {1.0 / 3, 7}, 3.2, 0.48}};
   const std::string text = pcl::sedr::tools::buildingToJson(building);
   writeFile(in("building.json"), text);
   const pcl::sedr::Building read = loadBuilding(in("building.json"));
   ASSERT_EQ(read.links.size(), 1u);
   EXPECT_EQ(read.links[0].rooms, building.links[0].rooms);
+  ASSERT_EQ(read.doubts.size(), 1u);
+  EXPECT_EQ(read.doubts[0].rooms, building.doubts[0].rooms);
   EXPECT_EQ(pcl::sedr::tools::buildingToJson(read), text);
   for (const char* other : {"", "{}", "[1]", R"({"format": "sedr-planes"})",
-                            R"({"format": "sedr-building", "version": 4})"}) {
+                            R"({"format": "sedr-building", "version": 5})"}) {
     writeFile(in("building.json"), other);
     EXPECT_THROW(loadBuilding(in("building.json")), pcl::sedr::tools::ToolError)
         << other;

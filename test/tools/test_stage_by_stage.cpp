@@ -110,6 +110,23 @@ TEST_F(StageByStage, ThePlanOfTwoStoreysIsThatOfPclSedr)
   EXPECT_EQ(found.storeys[1].rooms, expected.storeys[1].rooms);
 }
 
+TEST_F(StageByStage, TheFittingTellsTheDoubtsOfTheBuilding)
+{
+  fitPlan(twoRooms());
+  auto building = nlohmann::json::parse(bytesOf(in("building.json")));
+  building["doubts"] = {
+      {{"rooms", {1, 2}}, {"at", {4.4, 0}}, {"area", 9}, {"chance", 0.4}},
+      {{"rooms", {1, 7}}, {"at", {4.4, 0}}, {"area", 9}, {"chance", 0.4}}};
+  writeFile(in("building.json"), building.dump());
+  const ProgramRun result =
+      run(FLOORPLAN_FITTING,
+          {in("walls.pcd"), in("floorplan.json"), "--building", in("building.json")});
+  EXPECT_NE(result.err.find("room 1: it may be one room with room 2, 40 % likely"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(result.err.find("room 7"), std::string::npos) << "it has no plan";
+}
+
 TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
 {
   fitPlan(twoRooms());

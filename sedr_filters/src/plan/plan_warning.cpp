@@ -24,7 +24,7 @@ struct Words {
 /** In the order of WarningKind. Odds of kinds that at least six random buildings had
  * are what of the rooms or square metres was wrong there, see doc/reliability.md; the
  * others are chosen. */
-constexpr std::array<Words, 48> words{{
+constexpr std::array<Words, 49> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -86,6 +86,9 @@ constexpr std::array<Words, 48> words{{
     {"standing", "look at", Stake::Value, 0.3,
      "{0.1} m2 of what was seen within it reach up to the ceiling and are no wall or "
      "column of the plan"},
+    {"hanging", "look at", Stake::Value, 0.5,
+     "{0.1} m2 of its ceiling{at} lie {1.2} m below the rest, but of no side between "
+     "more than {2.0} % was seen: they may be a thing that hangs there"},
     {"half_wall", "look at", Stake::Value, 0.5,
      "what stands{at} like a half wall, {0.1} m long and {1.1} m high, is not in the "
      "plan"},

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reflections.h"
 
+#include "sedr_filters/src/rays/mirror_likeness.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 
 namespace pcl::sedr {
 
 namespace {
+
+constexpr double beside = 0.15; // metres, of the air that a surface bounds
 
 /** @brief How much of each part of the air is of some kind. */
 class Shares {
@@ -78,8 +85,7 @@ mirrorImages(const AirGaps& air,
              const std::vector<double>& floors)
 {
   constexpr double thinnest = 0.08; // metres, of slabs; a floor has no thickness
-  constexpr double same_height = 0.1;
-  constexpr double most = 0.8; // of its columns
+  constexpr double most = 0.8;      // of its columns
   const VoxelColumns& columns = air.columns();
   std::vector<MeanHeight> lows(air.size());
   std::vector<MeanHeight> highs(air.size());
@@ -105,7 +111,7 @@ mirrorImages(const AirGaps& air,
       const double floor =
           main_floors[static_cast<std::size_t>(parted.room[above])].mean();
       return std::abs(floor - plane) <= thinnest / 4 &&
-             std::abs(air.height(above) - air.height(g)) <= same_height;
+             std::abs(air.height(above) - air.height(g)) <= beside;
     };
     shares.add(parted.room[g],
                above < air.size() && air[above].column == air[g].column &&
@@ -121,8 +127,7 @@ viewsThroughPanes(const AirGaps& air,
                   const PointView& points,
                   const std::vector<std::uint8_t>& behind)
 {
-  constexpr double beside = 0.1; // metres, of floor and ceiling
-  constexpr double most = 0.9;   // of the points
+  constexpr double most = 0.9; // of the points
   Shares shares(parted);
   const VoxelColumns& columns = air.columns();
   if (!behind.empty())
@@ -133,6 +138,105 @@ viewsThroughPanes(const AirGaps& air,
             shares.add(parted.room[g], behind[i] != 0);
         });
   return shares.above(most);
+}
+
+namespace {
+
+/** @brief Returns what was seen of each part of the air, but its floor and ceiling: of
+ * points in its columns or beside them one a cube. */
+std::vector<Places>
+placesOfParts(const AirGaps& air,
+              const PartedAir& parted,
+              const PointView& points,
+              const std::vector<double>& floors)
+{
+  std::vector<Places> places(parted.rooms);
+  const VoxelColumns& columns = air.columns();
+  CubeTable cubes(mirror_cube);
+  const auto isOfSlab = [&](const Eigen::Vector3d& p) {
+    const std::uint32_t column = air.columnAt(p.head<2>());
+    for (std::size_t g = column == VoxelColumns::none ? air.size() : air.first(column);
+         g < air.size() && air[g].column == column; ++g)
+      if (parted.room[g] != PartedAir::no_room &&
+          (std::abs(p.z() - columns.heightOf(air[g].high)) <= beside ||
+           std::abs(p.z() - floors[static_cast<std::size_t>(parted.room[g])]) <=
+               beside))
+        return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p = points[i].cast<double>();
+    const std::size_t known = cubes.size();
+    if (!points.isFinite(i) || !columns.grid().holds(points[i].x(), points[i].y()) ||
+        isOfSlab(p) || cubes.add(cubes.at(p)) < known)
+      continue;
+    for (int k = 0; k < 9; ++k) {
+      const std::uint32_t column =
+          air.columnAt(p.head<2>() + beside * Eigen::Vector2d(k % 3 - 1, k / 3 - 1));
+      if (column == VoxelColumns::none)
+        continue;
+      for (std::size_t g = air.first(column); g < air.first(column + 1); ++g) {
+        if (parted.room[g] == PartedAir::no_room)
+          continue;
+        const auto part = static_cast<std::size_t>(parted.room[g]);
+        Places& of_part = places[part];
+        if (p.z() > floors[part] + beside &&
+            p.z() < columns.heightOf(air[g].high) - beside &&
+            (of_part.empty() || of_part.back() != p))
+          of_part.push_back(p);
+      }
+    }
+  }
+  return places;
+}
+
+/** @brief Returns the places between parts that are side by side, one behind a wall of
+ * the other, by the numbers of both. */
+std::map<std::pair<std::size_t, std::size_t>, Places>
+bordersOf(const AirGaps& air, const PartedAir& parted)
+{
+  std::map<std::pair<std::size_t, std::size_t>, Places> borders;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    for (int k = 0; parted.room[g] != PartedAir::no_room && k < 9; ++k) {
+      const Eigen::Vector2d step = beside * Eigen::Vector2d(k % 3 - 1, k / 3 - 1);
+      const Eigen::Vector2d between = air.placeOf(g) + step;
+      const std::uint32_t column = air.columnAt(between + step);
+      if (column == VoxelColumns::none)
+        continue;
+      for (std::size_t o = air.first(column); o < air.first(column + 1); ++o)
+        if (parted.room[o] > parted.room[g] && air[o].low < air[g].high &&
+            air[o].high > air[g].low)
+          borders[{parted.room[g], parted.room[o]}].emplace_back(between.x(),
+                                                                 between.y(), 0);
+    }
+  return borders;
+}
+
+} // namespace
+
+std::vector<std::uint8_t>
+mirroredParts(const AirGaps& air,
+              const PartedAir& parted,
+              const PointView& points,
+              const std::vector<double>& floors)
+{
+  constexpr double least = 0.7; // of mirrors 0.9 and more, of rooms built alike to 0.4
+  std::vector<std::uint8_t> is_mirrored(parted.rooms, 0);
+  const std::vector<Places> places = placesOfParts(air, parted, points, floors);
+  for (const auto& [parts, border] : bordersOf(air, parted)) {
+    const auto isBetween = [a = parts.first, b = parts.second](const RoomOpening& at) {
+      return at.a == a && at.b == b;
+    };
+    if (std::any_of(parted.openings.begin(), parted.openings.end(), isBetween))
+      continue; // no mirror is there
+    const auto [behind, before] =
+        std::minmax(parts.first, parts.second, [&](std::size_t a, std::size_t b) {
+          return places[a].size() < places[b].size();
+        });
+    if (mirroredBehind(border, places[before], places[behind]) >= least)
+      is_mirrored[behind] = 1;
+  }
+  return is_mirrored;
 }
 
 } // namespace pcl::sedr

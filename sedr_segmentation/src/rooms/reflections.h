@@ -29,4 +29,15 @@ std::vector<std::uint8_t> viewsThroughPanes(const AirGaps& air,
                                             const PointView& points,
                                             const std::vector<std::uint8_t>& behind);
 
+/** @brief Which parts of the air are what a mirror shows of a part beside them, to
+ * which no air leads: of two that look so the one of which less was seen, see
+ * mirroredBehind(). O(n) for n
+ * points, and for each pair of parts.
+ * @param floors main floor of each part, metres
+ * @return 1 for each such part */
+std::vector<std::uint8_t> mirroredParts(const AirGaps& air,
+                                        const PartedAir& parted,
+                                        const PointView& points,
+                                        const std::vector<double>& floors);
+
 } // namespace pcl::sedr

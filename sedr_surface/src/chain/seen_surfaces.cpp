@@ -16,6 +16,15 @@ namespace {
 
 constexpr double told_share = 0.01; ///< of all surfaces of a room
 
+/** @brief Returns the bit of a height in steps, 0 beyond 64 of them. */
+std::uint64_t
+stepAt(double height, double step = wall_tile)
+{
+  return height > 0 && height < 64 * step
+             ? std::uint64_t{1} << static_cast<unsigned>(height / step)
+             : 0;
+}
+
 } // namespace
 
 SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
@@ -36,6 +45,7 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
       verticals_.push_back({surface, std::max(off_wall, sigmas * line.residual), {}});
       for (double s = wall_tile / 2; s < line.length(); s += wall_tile)
         verticals_.back().spans.push_back(surface.spanAt(s));
+      verticals_.back().seen.resize(verticals_.back().spans.size());
     }
     rooms_.emplace_back(room);
   }
@@ -44,11 +54,11 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
 }
 
 std::pair<double, double>
-SeenSurfaces::nearness(const Eigen::Vector3d& p) const
+SeenSurfaces::nearness(const Eigen::Vector3d& p)
 {
   std::pair<double, double> nearest{infinite, infinite};
   for (const std::uint32_t v : verticals_near_.at(p.head<2>())) {
-    const auto& [surface, tolerance, spans] = verticals_[v];
+    auto& [surface, tolerance, spans, seen] = verticals_[v];
     const double s = surface.project(p);
     const auto tile = static_cast<std::size_t>(s / wall_tile);
     if (s <= 0 || tile >= spans.size() || p.z() < spans[tile].low + off_wall ||
@@ -56,6 +66,8 @@ SeenSurfaces::nearness(const Eigen::Vector3d& p) const
       continue;
     const double off =
         std::abs((p - surface.pointAt(s, p.z())).dot(surface.normalAt(s)));
+    if (off <= tolerance)
+      seen[tile] |= stepAt(p.z() - spans[tile].low - off_wall, off_wall);
     nearest.first = std::min(nearest.first, off / tolerance);
     nearest.second = std::min(nearest.second, off);
   }
@@ -163,11 +175,8 @@ SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
                                             wall_tile * Eigen::Vector2d(x, y)));
   }
   const double below = standing.ceiling - p.z();
-  if (below > wall_tile && below < 64 * wall_tile)
-    standing.heights |= std::uint64_t{1} << static_cast<unsigned>(below / wall_tile);
-  const double above = p.z() - standing.floor;
-  if (above > 0 && above < 64 * wall_tile)
-    standing.above |= std::uint64_t{1} << static_cast<unsigned>(above / wall_tile);
+  standing.heights |= below > wall_tile ? stepAt(below) : 0;
+  standing.above |= stepAt(p.z() - standing.floor);
   standing.places += p.head<2>().homogeneous();
 }
 
@@ -192,6 +201,44 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   const PlanRoom& plan = rooms_[room].room();
   if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
+}
+
+void
+SeenSurfaces::tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const
+{
+  constexpr double most = 0.6; // of a side
+  const PlanRoom& plan = rooms_[room].room();
+  for (std::size_t d = 0; d < plan.details.size(); ++d) {
+    const PlanDetail& detail = plan.details[d];
+    double best = -1; // side, of which one or the other may be hidden
+    for (const Vertical& vertical : verticals_) {
+      const VerticalSurface& surface = vertical.surface;
+      if (surface.room != &plan || surface.part != static_cast<int>(d) ||
+          surface.kind != VerticalKind::CeilingRiser ||
+          surface.element->length() < min_strip)
+        continue;
+      double seen = 0;
+      double all = 0;
+      for (std::size_t k = 0; k < vertical.spans.size(); ++k) {
+        const auto& [low, high, unused] = vertical.spans[k];
+        all += std::max(0.0, std::floor((high - low) / off_wall) - 1);
+        seen += __builtin_popcountll(vertical.seen[k]);
+      }
+      best = all > 0 ? std::max(best, seen / all) : best;
+    }
+    const PlanElement& edge = detail.boundary.elements.front();
+    const Eigen::Vector2d at = edge.pointAt(edge.length() / 2);
+    const double drop = plan.ceiling.heightAt(at) - detail.slab.heightAt(at);
+    const double area = detail.boundary.area();
+    if (best >= 0 && best < most)
+      warnings.push_back(
+          {WarningKind::Hanging,
+           {drop > 0 ? area : plan.area() - area, std::abs(drop), 100 * best},
+           plan.id,
+           0,
+           {},
+           at});
+  }
 }
 
 void
@@ -263,6 +310,7 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
 {
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellStanding(r, warnings);
+    tellHanging(r, warnings);
     tellHalfWalls(r, warnings);
     tellBeyond(r, warnings);
   }

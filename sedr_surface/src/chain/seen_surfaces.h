@@ -91,13 +91,15 @@ private:
   /** @brief A vertical surface of a room. */
   struct Vertical {
     VerticalSurface surface;
-    double tolerance;                ///< of the points on it, metres
-    std::vector<VerticalSpan> spans; ///< of each tile along it
+    double tolerance;                  ///< of the points on it, metres
+    std::vector<VerticalSpan> spans;   ///< of each tile along it
+    std::vector<std::uint64_t> seen{}; ///< of each tile along it, a bit a tile upwards
   };
 
   /** @brief Returns how near a point is to a vertical surface, in tolerances of it and
-   * in metres; infinite where that is no nearer than furniture is deep. */
-  std::pair<double, double> nearness(const Eigen::Vector3d& p) const;
+   * in metres; infinite where that is no nearer than furniture is deep. Counts it for
+   * the surfaces that it lies on. */
+  std::pair<double, double> nearness(const Eigen::Vector3d& p);
 
   void addStanding(const Eigen::Vector3d& p, std::size_t room);
 
@@ -108,6 +110,10 @@ private:
    * and a ceiling that both were seen twice, as in two scans that do not fit. */
   void tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
+  /** @brief Warns of lower parts of a ceiling of which no side up to the rest was
+   * seen but in part. */
+  void tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of what stands on the floor like a wall but ends below the ceiling:
    * long, thin, and with floor on both sides. */

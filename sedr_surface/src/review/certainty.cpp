@@ -29,13 +29,13 @@ const double max_wall = Priors().max_wall;
 const Weights&
 wallWeights()
 {
-  static const Weights weights{{-2.21, -1.77, -1.70},
-                               {{"log_length", 0.60},
-                                {"measured", 2.14},
-                                {"placed", 2.01},
-                                {"log_error", -1.14},
-                                {"two_faces", 0.94},
-                                {"off", -0.73}}};
+  static const Weights weights{{-3.34, -2.80, -2.72},
+                               {{"log_length", 0.73},
+                                {"measured", 2.61},
+                                {"placed", 2.45},
+                                {"log_error", -1.39},
+                                {"two_faces", 1.14},
+                                {"off", -0.89}}};
   return weights;
 }
 
@@ -116,27 +116,34 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
       off[{warning.room, warning.wall}] +=
           warning.values.empty() ? 0 : warning.values[0];
   std::vector<double> errors;
+  bool is_any_known = false;
   for (const PlanRoom& room : plan.rooms)
-    for (const PlanElement& wall : room.boundary.elements)
+    for (const PlanElement& wall : room.boundary.elements) {
       errors.push_back(wall.accuracy.standard_error);
+      is_any_known = is_any_known || wall.evidence.isKnown();
+    }
   const double usual = usualError(std::move(errors));
   const auto thicknesses = wallThicknesses(plan, max_wall);
   std::vector<Certainty> walls;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     for (std::size_t e = 0; e < plan.rooms[r].boundary.elements.size(); ++e) {
       const PlanRoom& room = plan.rooms[r];
-      const WallShares shares = wallShares(plan, room, e);
-      if (!(shares.area > 0))
-        continue;
       const PlanElement& wall = room.boundary.elements[e];
       const Eigen::Vector2d middle = wall.pointAt(wall.length() / 2);
+      const double area =
+          wall.length() * (room.ceilingAt(middle) - room.floorAt(middle));
+      WallShares shares = wallShares(plan, room, e);
+      if (is_any_known && !wall.evidence.isKnown() && area > 0)
+        shares = {area, 0, 0, 1}; // nobody saw it
+      if (!(shares.area > 0))
+        continue;
       const double error = wall.accuracy.standard_error;
       walls.push_back(
           certaintyBy(wallWeights(),
                       {std::to_string(room.id) + "." + std::to_string(e + 1),
                        room.id,
                        e,
-                       wall.length() * (room.ceilingAt(middle) - room.floorAt(middle)),
+                       area,
                        {std::log(std::max(wall.length(), 0.01)), shares.measured,
                         error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
                         thicknesses[r][e] > 0 ? 1.0 : 0.0,

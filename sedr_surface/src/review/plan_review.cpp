@@ -17,10 +17,11 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double sure = 0.9;     // probability of what is not doubted
-constexpr double same_place = 1; // metres
-constexpr double little = 0.02;  // share of walls and floors, after the checks
-constexpr double too_much = 0.1; // likewise, of all that a new scan settles
+constexpr double sure = 0.9;             // probability of what is not doubted
+constexpr std::size_t measured_sign = 1; // see wallSigns()
+constexpr double same_place = 1;         // metres
+constexpr double little = 0.02;          // share of walls and floors, after the checks
+constexpr double too_much = 0.1;         // likewise, of all that a new scan settles
 
 std::string
 percent(double share)
@@ -117,7 +118,7 @@ public:
       const PlanRoom* const room = findRoom(plan_, of.room);
       const PlanElement& wall = room->boundary.elements[of.index];
       add(of, "wall " + of.element, wall.pointAt(wall.length() / 2),
-          [&] { return reasonOf(wall, wallShares(plan_, *room, of.index).measured); });
+          [&] { return reasonOf(wall, of.signs[measured_sign]); });
     }
     for (const Certainty& of : review.openings) {
       const PlanOpening& opening = plan_.openings[of.index];

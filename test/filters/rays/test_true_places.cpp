@@ -13,6 +13,7 @@
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -140,6 +141,35 @@ TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)
   ASSERT_EQ(found.untrue.size(), 1u);
   EXPECT_EQ(found.untrue[0], outside[1].place);
   EXPECT_GT(found.rays, 1000u); // those of the other
+}
+
+TEST(TruePlaces, AreBelowAGlassRoofInAScanThatWasCutToIt)
+{
+  // Steps of a third of a degree in both angles, below a roof of 5.6 m x 4.6 m that
+  // returns a tenth of the rays, and another 3 m above it.
+  const Eigen::AlignedBox3d room(Vector3d(0, 0, 0), Vector3d(6, 5, 2.6));
+  const Eigen::AlignedBox3d whole(Vector3d(0, 0, 0), Vector3d(6, 5, 5.6));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Vector3f> rows;
+  ScanPositions positions;
+  for (const Vector3d& place : {Vector3d(2, 2.4, 1.5), Vector3d(4.2, 2.7, 1.5)}) {
+    positions.push_back({rows.size(), place.cast<float>()});
+    const double step = M_PI / 540;
+    for (double up = M_PI / 6; up < M_PI / 2; up += step)
+      for (double around = -M_PI / 4; around < M_PI / 4; around += step) {
+        const Vector3d direction(std::cos(up) * std::cos(around),
+                                 std::cos(up) * std::sin(around), std::sin(up));
+        Vector3d hit = place + exitFrom(room, place, direction) * direction;
+        const bool is_pane = hit.z() > 2.59 && std::abs(hit.x() - 3) < 2.8 &&
+                             std::abs(hit.y() - 2.5) < 2.3;
+        if (is_pane && uniform(random) > 0.1)
+          hit = place + exitFrom(whole, place, direction) * direction;
+        rows.push_back(hit.cast<float>());
+      }
+  }
+  const PointView view(rows.data(), sizeof(Vector3f), rows.size());
+  EXPECT_TRUE(findMirroredPoints(view, view, 1, positions, 2).untrue.empty());
 }
 
 TEST(TruePlaces, OneFarAwayIsUntrue)

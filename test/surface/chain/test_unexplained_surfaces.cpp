@@ -261,6 +261,30 @@ TEST(UnexplainedSurfaces, AreHalfWallsButNoFurniture)
     }
 }
 
+TEST(UnexplainedSurfaces, ArePartsOfACeilingThatMayHangThere)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(1, 1, 3, 2), 2.1)};
+  for (const float top : {2.15F, 2.25F, 2.5F}) { // of the edge of what hangs
+    Cloud cloud = recessedRoom(0);
+    for (const Eigen::Vector3f& corner :
+         {Eigen::Vector3f(1, 1, 2.1F), Eigen::Vector3f(1, 2, 2.1F)})
+      addRectangle(corner, {2, 0, 0}, {0, 0, top - 2.1F}, cloud);
+    for (const float x : {1.F, 3.F})
+      addRectangle({x, 1, 2.1F}, {0, 1, 0}, {0, 0, top - 2.1F}, cloud);
+    const auto all = unexplained(cloud, plan);
+    const auto found = std::find_if(all.begin(), all.end(), [](const auto& w) {
+      return w.kind == WarningKind::Hanging;
+    });
+    ASSERT_EQ(found != all.end(), top < 2.3F) << top;
+    if (found == all.end())
+      continue;
+    EXPECT_NEAR(found->values[0], 2, 1e-6);
+    EXPECT_NEAR(found->values[1], 0.4, 1e-6);
+    EXPECT_NEAR(found->values[2], 100 * (top - 2.1F) / 0.4, 15);
+  }
+}
+
 TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)
 {
   Floorplan plan{{planned(1, 0, 4)}};

@@ -137,6 +137,24 @@ TEST(PlanReview, ANarrowDoorIsADoubtOfTheDoor)
   EXPECT_EQ(reviewOf(plan, {}).doubts[0].subject, "door D1");
 }
 
+TEST(PlanReview, APlanIsNotHandedOverIfNobodySawALargePartOfItsOutline)
+{
+  Floorplan plan = measuredRoom();
+  const PlanReview seen = reviewOf(plan, {});
+  for (const std::size_t wall : {2, 3}) {
+    PlanElement& element = plan.rooms[0].boundary.elements[wall - 1];
+    element.evidence = {};
+    element.accuracy = {};
+  }
+  const PlanReview review = reviewOf(plan, {});
+  EXPECT_EQ(review.verdict, ReviewVerdict::ScanAgain) << review.text;
+  ASSERT_EQ(review.doubts.size(), 2u);
+  EXPECT_EQ(review.doubts[0].subject, "wall 1.3");
+  EXPECT_NE(review.doubts[0].text.find("0 % of it was measured"), std::string::npos)
+      << review.doubts[0].text;
+  EXPECT_LT(review.within[2], seen.within[2] - 0.2);
+}
+
 TEST(PlanReview, EnoughIsCheckedForLittleToRemainAtStake)
 {
   // 35 m2 of walls and 12 m2 of floor: 2 % is 0.94 m2, a tenth 4.7 m2.
@@ -284,7 +302,12 @@ TEST(Certainty, OfOpeningsFollowsTheirEdges)
 TEST(Certainty, NothingIsSaidOfWhatIsNotKnown)
 {
   Floorplan plan = measuredRoom();
-  plan.rooms[0].boundary.elements[0].evidence = {};
+  EXPECT_TRUE(certaintyOfWalls({{roomOf(rectangle(0, 0, 4, 3), 2.5)}}, {}).empty());
+  PlanElement& wall = plan.rooms[0].boundary.elements[0];
+  wall.evidence = {0, 0, 1}; // a door from end to end
+  plan.openings[0].start = wall.start;
+  plan.openings[0].end = wall.end;
+  plan.openings[0].top = 2.5;
   plan.openings.resize(3, plan.openings[0]);
   plan.openings[0].confidence = 0;
   plan.openings[1].confidence = 1; // as PlanEditor sets openings by hand

@@ -178,6 +178,32 @@ TEST_F(EditedModel, DoubtsOfWallsFollowTheirNumbers)
   EXPECT_EQ(report["edits"].size(), 2u);
 }
 
+TEST_F(EditedModel, ADoubtAboutRoomsGoesWhenTheyAreMergedOrSplit)
+{
+  Json report = reportNow();
+  report["warnings"] = {{{"kind", "one_room"}, {"room", 1}, {"values", {3, 40, 2}}},
+                        {{"kind", "two_rooms"}, {"room", 2}, {"values", {3, 40}}}};
+  writeFile(in("model/report.json"), report.dump());
+  const auto doubted = [this] {
+    std::string kinds;
+    const Json now = reportNow();
+    for (const Json& doubt : now["warnings"])
+      if (doubt["kind"] != "edited")
+        kinds += doubt["kind"].get<std::string>() + " " + doubt["room"].dump() + ",";
+    return kinds;
+  };
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "1=2.4"}).exit_code, 0);
+  EXPECT_EQ(doubted(), "one_room 1,two_rooms 2,") << "as they were";
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "1,2,-9,2,9"}).exit_code, 0);
+  EXPECT_EQ(doubted(), "one_room 1,two_rooms 2,") << "another was split";
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "2,6,-9,6,9"}).exit_code, 0);
+  EXPECT_EQ(doubted(), "one_room 1,");
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--merge", "1,2"}).exit_code, 0);
+  EXPECT_EQ(doubted(), "two_rooms 1,") << "of the room that it is a part of now";
+}
+
 TEST_F(EditedModel, UndoGoesBackToThePlanAndTheReportBefore)
 {
   const std::string plan = bytesOf(in("model/floorplan.json"));

@@ -15,6 +15,8 @@
 
 #include "sedr_filters/src/editing/plan_edits.h"
 #include "sedr_surface/src/sheet/sheet.h"
+#include "sedr_surface/src/sheet/text_places.h"
+#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
@@ -56,6 +58,21 @@ public:
            planesOf(*old) == planesOf(*now);
   }
 
+  /** @brief Returns which room a room is now, or is a part of; 0: none. */
+  std::uint32_t roomNow(std::uint32_t id) const
+  {
+    return hasRoom(id) ? id : roomAround(findRoom(before_, id), plan_);
+  }
+
+  /** @brief Returns whether a new room is a part of a room before. */
+  bool isSplit(std::uint32_t id) const
+  {
+    return std::any_of(
+        plan_.rooms.begin(), plan_.rooms.end(), [&](const PlanRoom& room) {
+          return !findRoom(before_, room.id) && roomAround(&room, before_) == id;
+        });
+  }
+
   /** @brief Returns which wall a wall is now; nothing if it was touched. */
   std::optional<WallNumber> find(const WallNumber& old) const
   {
@@ -69,6 +86,16 @@ public:
   }
 
 private:
+  /** @brief Returns the room of a plan that holds the middle of a room, 0 for none. */
+  static std::uint32_t roomAround(const PlanRoom* room, const Floorplan& plan)
+  {
+    if (room)
+      for (const PlanRoom* const other : roomsAt(plan, heightsOf(*room)))
+        if (other->contains(textSpotIn(room->boundary, room->columns).place))
+          return other->id;
+    return 0;
+  }
+
   static std::vector<Eigen::Vector4d> planesOf(const PlanRoom& room)
   {
     std::vector<Eigen::Vector4d> planes{room.floor.plane, room.ceiling.plane};
@@ -105,11 +132,28 @@ mapsOf(const Json& maps, const Untouched& untouched)
   return kept;
 }
 
+/** @brief Gives the doubt of a room to the room that this is now a part of.
+ * @return whether it still is a doubt: not of a room that is gone, whether two rooms
+ * are one that were merged, or whether one is two that was split */
+bool
+followRooms(const Untouched& untouched, PlanWarning& warning)
+{
+  const std::uint32_t old = warning.room;
+  warning.room = untouched.roomNow(old);
+  if (warning.kind == WarningKind::OneRoom && warning.values.size() > 2) {
+    double& other = warning.values[2];
+    other = untouched.roomNow(static_cast<std::uint32_t>(other));
+    return warning.room != 0 && other != 0 && other != warning.room;
+  }
+  return warning.room != 0 &&
+         !(warning.kind == WarningKind::TwoRooms && untouched.isSplit(old));
+}
+
 /** @brief Returns what was doubted of a plan and still is, and that it was edited.
  *
  * Doubts of walls follow their numbers, and go with walls that were touched. What a
  * room of another shape was doubted for stays, with a note that it is of the time
- * before. What was told of files is left out.
+ * before, see followRooms(). What was told of files is left out.
  * @param[in,out] report of the plan before; the edits are added to those it tells
  * @param edits sentences */
 std::vector<PlanWarning>
@@ -134,17 +178,22 @@ carriedWarnings(Json& report,
                                     : "") +
                     "; mesh, points and distances are those of the scan")};
   for (PlanWarning& warning : warningsIn(report)) {
-    const bool is_of_wall = warning.wall > 0;
-    const auto now = untouched.find({warning.room, warning.wall});
-    if (of_files.count(warning.kind) > 0 || (is_of_wall && !now) ||
-        (warning.room != 0 && !is_of_wall && !untouched.hasRoom(warning.room)))
+    if (of_files.count(warning.kind) > 0)
       continue;
-    if (is_of_wall) {
+    if (warning.wall > 0) {
+      const auto now = untouched.find({warning.room, warning.wall});
+      if (!now)
+        continue;
       warning.room = now->room;
       warning.wall = now->wall;
     }
-    else if (warning.room != 0 && !untouched.isSameRoom(warning.room))
-      warning.note = "before the plan was edited";
+    else if (warning.room != 0) {
+      const bool is_same = untouched.isSameRoom(warning.room);
+      if (!followRooms(untouched, warning))
+        continue;
+      if (!is_same)
+        warning.note = "before the plan was edited";
+    }
     kept.push_back(std::move(warning));
   }
   return kept;

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "sedr-building";
-constexpr int format_version = 5;
+constexpr int format_version = 6;
 
 /** @brief Returns the gaps of a room: runs along x of equal ones. Each is x and y of
  * its first cell, its number of cells, the heights of floor and ceiling, to a tenth of
@@ -63,6 +63,12 @@ buildingToJson(const Building& building)
                      {"end", link.end},
                      {"bottom", link.bottom},
                      {"top", link.top}});
+  Json doubts = Json::array();
+  for (const RoomDoubt& doubt : building.doubts)
+    doubts.push_back({{"rooms", doubt.rooms},
+                      {"at", doubt.at},
+                      {"area", doubt.area},
+                      {"chance", doubt.chance}});
   return Json{{"format", format_name},
               {"version", format_version},
               {"unit", "m"},
@@ -73,7 +79,8 @@ buildingToJson(const Building& building)
               {"rooms", rooms},
               {"storeys", building.storeys},
               {"links", links},
-              {"stairs", building.stairs}}
+              {"stairs", building.stairs},
+              {"doubts", doubts}}
              .dump() +
          "\n";
 }
@@ -106,6 +113,13 @@ loadBuilding(const std::string& path)
       of_link.at("top").get_to(link.top);
     }
     json.at("stairs").get_to(building.stairs);
+    for (const Json& of_doubt : json.at("doubts")) {
+      RoomDoubt& doubt = building.doubts.emplace_back();
+      of_doubt.at("rooms").get_to(doubt.rooms);
+      of_doubt.at("at").get_to(doubt.at);
+      of_doubt.at("area").get_to(doubt.area);
+      of_doubt.at("chance").get_to(doubt.chance);
+    }
     return building;
   }
   catch (const std::exception& error) {

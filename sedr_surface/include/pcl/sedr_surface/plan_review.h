@@ -38,9 +38,11 @@ struct Certainty {
 std::vector<std::string> wallSigns();
 std::vector<std::string> openingSigns();
 
-/** @brief Returns the certainty of all walls of which something is known, in the order
- * of the plan. Probabilities are logistic functions of the signs, fitted on buildings
- * whose truth is known: see doc/reliability.md. O(walls times openings). */
+/** @brief Returns the certainty of all walls but those that are an opening from end to
+ * end, in the order of the plan; none of a plan that tells of no wall what was seen of
+ * it. In others a wall of which nothing is known was not seen. Probabilities are
+ * logistic functions of the signs, fitted on buildings whose truth is known: see
+ * doc/reliability.md. O(walls times openings). */
 std::vector<Certainty> certaintyOfWalls(const Floorplan& plan,
                                         const std::vector<PlanWarning>& warnings);
 
