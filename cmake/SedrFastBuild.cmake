@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# A build from nothing: the headers of Eigen, PCL and GoogleTest take most of the
-# time of most files. They are compiled once for the libraries, once for the programs and once for
-# the tests, and the sources of a folder are compiled together.
+# A build from nothing: the headers of Eigen, PCL and GoogleTest take most of the time of most
+# files. They are compiled once for libraries and programs and once for tests, and sources are
+# compiled together: those of a folder, or a number of them.
 
 # With its default settings ccache does not keep what was compiled with precompiled headers: turn
 # this off to work with it.
@@ -13,8 +13,8 @@ if(SEDR_FAST_BUILD AND SEDR_BUILD_TESTS AND SEDR_HAS_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
-# sedr_precompile_headers(name HEADERS more... LINK flags...) compiles headers for those who reuse
-# them. They are a target without definitions of its own: those must be the same wherever they are used.
+# sedr_precompile_headers(name HEADERS more... LINK ...) compiles headers for those who reuse them.
+# They are a target without definitions of its own: those must be the same wherever they are used.
 function(sedr_precompile_headers name)
   if(NOT SEDR_FAST_BUILD)
     return()
@@ -23,24 +23,33 @@ function(sedr_precompile_headers name)
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/headers.cpp)
   target_include_directories(${name} SYSTEM PRIVATE ${PCL_INCLUDE_DIRS})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
-  target_compile_options(${name} PRIVATE -fPIC)
+  target_compile_options(${name} PRIVATE -fPIC -pthread)
   sedr_set_warnings(${name})
   target_precompile_headers(${name} PRIVATE
     <algorithm> <cmath> <functional> <map> <memory> <sstream> <string> <vector>
     <Eigen/Core> <Eigen/Geometry> <pcl/point_cloud.h> <pcl/point_types.h> ${ARG_HEADERS})
 endfunction()
 
-# sedr_build_fast(target HEADERS name) reuses the headers of sedr_precompile_headers(name) and
-# compiles the sources of each folder as one file. Names in unnamed namespaces are therefore unique
-# within a folder; that a name of another file is shadowed says nothing.
+# sedr_build_fast(target [HEADERS name] [BATCH files]) reuses the headers of that name, else those of
+# libraries and programs, and compiles the sources of each folder, or a number of them, as one file.
+# Names in unnamed namespaces are therefore unique there; that a name of another file is shadowed
+# says nothing.
 function(sedr_build_fast target)
   if(NOT SEDR_FAST_BUILD)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "HEADERS" "" ${ARGN})
-  target_compile_options(${target} PRIVATE -fPIC -Wno-shadow)
+  cmake_parse_arguments(ARG "" "BATCH;HEADERS" "" ${ARGN})
+  if(NOT ARG_HEADERS)
+    set(ARG_HEADERS common_headers)
+  endif()
+  target_compile_options(${target} PRIVATE -fPIC -pthread -Wno-shadow)
   target_precompile_headers(${target} REUSE_FROM ${ARG_HEADERS})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  if(ARG_BATCH)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${ARG_BATCH})
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     get_filename_component(folder ${source} DIRECTORY)

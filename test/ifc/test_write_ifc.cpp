@@ -29,7 +29,7 @@ count(const std::string& text, const std::string& part)
 }
 
 Floorplan
-twoRooms()
+joinedRooms()
 {
   Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)}};
@@ -39,7 +39,7 @@ twoRooms()
 
 TEST(WriteIfc, TellsWhatIsInIt)
 {
-  const IfcModel model = writeIfc(twoRooms());
+  const IfcModel model = writeIfc(joinedRooms());
   EXPECT_EQ(model.spaces, 2u);
   EXPECT_EQ(model.walls, 7u);
   EXPECT_EQ(model.paired_walls, 1u);
@@ -65,7 +65,7 @@ linesOf(const std::string& text, const std::string& kind)
 
 TEST(WriteIfc, AStoreyLiesAtItsUsualFloor)
 {
-  Floorplan plan = twoRooms();
+  Floorplan plan = joinedRooms();
   plan.rooms.push_back(roomBetween(rectangle(0, 3.2, 2, 4.2), -0.6, 2.5, 3)); // a pit
   for (PlanRoom& room : plan.rooms)
     room.floor.plane[3] -= 0.12345;
@@ -82,7 +82,7 @@ TEST(WriteIfc, GuidsAreThoseOfProjectScanAndElement)
     s.scan = scan;
     return s;
   };
-  Floorplan plan = twoRooms();
+  Floorplan plan = joinedRooms();
   plan.openings.push_back(plan.openings[0]);
   plan.openings[1].kind = OpeningKind::Door;
   numberOpenings(plan);
@@ -104,11 +104,11 @@ TEST(WriteIfc, TellsAuthorAndDateIfTheyAreGiven)
   IfcSettings settings;
   settings.author = "E. König";
   settings.date = "2024-05-31";
-  EXPECT_EQ(count(writeIfc(twoRooms(), settings).text,
+  EXPECT_EQ(count(writeIfc(joinedRooms(), settings).text,
                   "'2024-05-31T00:00:00',('E. K\\X2\\00F6\\X0\\nig')"),
             1u);
   settings.date = "in May"; // which IFC has no form for
-  EXPECT_EQ(count(writeIfc(twoRooms(), settings).text, "'1970-01-01T00:00:00'"), 1u);
+  EXPECT_EQ(count(writeIfc(joinedRooms(), settings).text, "'1970-01-01T00:00:00'"), 1u);
 }
 
 TEST(WriteIfc, TellsOfEachElementWhetherItWasMeasured)
@@ -129,7 +129,7 @@ TEST(WriteIfc, TellsOfEachElementWhetherItWasMeasured)
 
 TEST(WriteIfc, WallsAreExternalUnlessRoomsLieBehindThem)
 {
-  Floorplan plan = twoRooms(); // 7 walls, one between the rooms
+  Floorplan plan = joinedRooms(); // 7 walls, one between the rooms
   const auto external = [&plan](const char* value) {
     return count(writeIfc(plan).text,
                  "'IsExternal',$,IFCBOOLEAN(" + std::string(value));
@@ -148,7 +148,8 @@ TEST(WriteIfc, WallsAreExternalUnlessRoomsLieBehindThem)
 
 TEST(WriteIfc, WallsOfOneThicknessAreOfOneType)
 {
-  const IfcModel model = writeIfc(twoRooms()); // 6 outer walls, one between the rooms
+  const IfcModel model =
+      writeIfc(joinedRooms()); // 6 outer walls, one between the rooms
   const auto types = linesOf(model.text, "IFCWALLTYPE");
   ASSERT_EQ(types.size(), 2u);
   EXPECT_EQ(count(types[0] + types[1], "'Outer wall 0.20 assumed'"), 1u);
@@ -162,7 +163,7 @@ TEST(WriteIfc, WallsOfOneThicknessAreOfOneType)
 
 TEST(WriteIfc, AStairHasItsFlights)
 {
-  Floorplan plan = twoRooms();
+  Floorplan plan = joinedRooms();
   PlanFlight flight;
   flight.rise = 0.18;
   for (const double x : {0.5, 0.75, 1.0, 1.25})
@@ -228,7 +229,7 @@ TEST(WriteIfc, NoWallStandsAroundAShaftThatIsOpenToTheRoof)
 
 TEST(WriteIfc, AnOpeningWithoutAWallIsTold)
 {
-  Floorplan plan = twoRooms();
+  Floorplan plan = joinedRooms();
   plan.openings[0].start = {20, 1};
   plan.openings[0].end = {20, 2};
   const IfcModel model = writeIfc(plan);
@@ -240,7 +241,7 @@ TEST(WriteIfc, AnOpeningWithoutAWallIsTold)
 
 TEST(WriteIfc, RoomsThatTouchAtAPassageEndAtAVirtualElement)
 {
-  Floorplan plan = twoRooms();
+  Floorplan plan = joinedRooms();
   plan.rooms[1].boundary = rectangle(4.005, 0, 8, 3);
   const IfcModel model = writeIfc(plan);
   EXPECT_TRUE(model.warnings.empty());
@@ -252,7 +253,7 @@ TEST(WriteIfc, RoomsThatTouchAtAPassageEndAtAVirtualElement)
 TEST(WriteIfc, ASliverBesideAPassageIsNoWall)
 {
   for (const double beyond : {0.1, 0.14, 0.2}) { // the walls around end at 0.2 m
-    Floorplan plan = twoRooms();
+    Floorplan plan = joinedRooms();
     plan.openings[0].start.y() = -beyond;
     plan.openings[0].end.y() = 3 + beyond;
     plan.openings[0].top = 2.5;
@@ -262,11 +263,11 @@ TEST(WriteIfc, ASliverBesideAPassageIsNoWall)
 
 TEST(WriteIfc, TheOriginIsAMapConversion)
 {
-  EXPECT_EQ(count(writeIfc(twoRooms()).text, "IFCMAPCONVERSION"), 0u);
+  EXPECT_EQ(count(writeIfc(joinedRooms()).text, "IFCMAPCONVERSION"), 0u);
   IfcSettings settings;
   settings.crs = "EPSG:25832";
   const std::string text =
-      writeIfc(twoRooms(), settings, Origin{{691600, 5335900.5, 512}}).text;
+      writeIfc(joinedRooms(), settings, Origin{{691600, 5335900.5, 512}}).text;
   EXPECT_EQ(count(text, "691600.,5335900.5,512.,1.,0.,1.);"), 1u);
   EXPECT_EQ(count(text, "IFCPROJECTEDCRS('EPSG:25832',"), 1u);
 }

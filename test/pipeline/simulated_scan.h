@@ -64,15 +64,13 @@ truthInScan(const Scene& scene)
   });
 }
 
-/** @brief Returns how far a mesh is from the truth, and the truth from it.
- * @param spacing of the samples, metres */
+/** @brief Returns how far a mesh is from the truth, and the truth from it, at samples
+ * every 5 cm. */
 inline MeshEvaluationResult
-figuresOf(const TriangleMesh& mesh,
-          std::shared_ptr<const TriangleMesh> truth,
-          double spacing = 0.02)
+figuresOf(const TriangleMesh& mesh, std::shared_ptr<const TriangleMesh> truth)
 {
   pcl::MeshEvaluation evaluation;
-  evaluation.setSampleSpacing(spacing);
+  evaluation.setSampleSpacing(0.05);
   evaluation.setInputMesh(std::make_shared<const TriangleMesh>(mesh));
   evaluation.setTruth(std::move(truth));
   MeshEvaluationResult figures;

@@ -58,7 +58,7 @@ shaken(PlanLoop loop, double most, unsigned seed)
 }
 
 inline double
-cornerError(const PlanLoop& loop, const PlanLoop& truth)
+cornerErrorInOrder(const PlanLoop& loop, const PlanLoop& truth)
 {
   double worst = 0;
   for (std::size_t i = 0; i < truth.elements.size(); ++i)

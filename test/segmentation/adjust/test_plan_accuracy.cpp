@@ -221,7 +221,7 @@ TEST(AdjustPlan, WhatStandsBeforeAWallIsLeftOut)
     raw.wall(segment({1.3, 0.02}, {4, 0.02}), 0, 1.2);
     Floorplan plan = offPlan(plainRoom(), 0.01);
     adjustPlan(plan, raw.view());
-    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001)
+    EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001)
         << noise;
   }
 }
@@ -243,7 +243,7 @@ TEST(AdjustPlan, RevealsOfOpeningsDoNotMoveTheWall)
     }
   Floorplan plan = offPlan(plainRoom(), 0.01);
   adjustPlan(plan, raw.view());
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.0004);
+  EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.0004);
 }
 
 TEST(AdjustPlan, ADarkWallIsNoisierThanTheOthers)
@@ -257,7 +257,7 @@ TEST(AdjustPlan, ADarkWallIsNoisierThanTheOthers)
   *cloud += *dark.cloud();
   Floorplan plan = offPlan(plainRoom(), 0.01);
   adjustPlan(plan, PointView(*cloud));
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+  EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
   EXPECT_NEAR(plan.rooms[0].boundary.elements[0].residual, 0.02, 0.003);
 }
 
@@ -270,7 +270,7 @@ TEST(AdjustPlan, SoffitOfAWindowAsWideAsTheWallDoesNotMoveItsLowLintel)
   raw.slab(rectangle(0.12, -0.3, 3.88, 0), 2.5);
   Floorplan plan = offPlan(plainRoom(), 0.01);
   adjustPlan(plan, raw.view());
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+  EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
 }
 
 } // namespace

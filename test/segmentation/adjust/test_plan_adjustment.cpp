@@ -20,7 +20,7 @@ TEST(AdjustPlan, ARoomWithNoiseIsMet)
       EXPECT_EQ(report.slabs, 2u);
       EXPECT_NEAR(report.noise, std::max(noise, 0.0003), 0.1 * noise + 0.0003);
       EXPECT_LT(report.waviness, 0.0001 + 0.1 * noise);
-      EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 4, 3)), bar) << noise;
+      EXPECT_LT(cornerErrorInOrder(room.boundary, rectangle(0, 0, 4, 3)), bar) << noise;
       for (const Vector2d& p : {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 3)}) {
         EXPECT_NEAR(room.floor.heightAt(p), 0, bar);
         EXPECT_NEAR(room.ceiling.heightAt(p), 2.6, bar);
@@ -42,8 +42,8 @@ TEST(AdjustPlan, BothFacesOfAPartitionAreMet)
       Floorplan plan = offPlan(roomOf(left, 2.5), 0.01, seed);
       plan.rooms.push_back(roomOf(shaken(right, 0.01, seed + 7), 2.5));
       adjustPlan(plan, raw.view());
-      EXPECT_LT(cornerError(plan.rooms[0].boundary, left), 0.0005) << thickness;
-      EXPECT_LT(cornerError(plan.rooms[1].boundary, right), 0.0005) << thickness;
+      EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, left), 0.0005) << thickness;
+      EXPECT_LT(cornerErrorInOrder(plan.rooms[1].boundary, right), 0.0005) << thickness;
     }
 }
 
@@ -76,7 +76,7 @@ TEST(AdjustPlan, ArcsThatMeetAtACornerKeepIt)
   raw.room(truth, 0, 3);
   Floorplan plan = offPlan(roomOf(truth, 3), 0.01);
   adjustPlan(plan, raw.view());
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, truth), 0.001);
+  EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, truth), 0.001);
 }
 
 TEST(AdjustPlan, ColumnsNichesAndSoffitsAreMet)
@@ -99,17 +99,19 @@ TEST(AdjustPlan, ColumnsNichesAndSoffitsAreMet)
   plan.rooms.push_back(off);
   adjustPlan(plan, raw.view());
   const PlanRoom& room = plan.rooms[0];
-  EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.0005);
+  EXPECT_LT(cornerErrorInOrder(room.boundary, truth.boundary), 0.0005);
   for (const std::size_t c : {0, 1}) {
     EXPECT_LT((room.columns[c].elements[0].centre - truth.columns[c].elements[0].centre)
                   .norm(),
               0.0005);
     EXPECT_NEAR(room.columns[c].elements[0].radius, 0.2, 0.0005);
   }
-  EXPECT_LT(cornerError(room.columns[2], truth.columns[2]), 0.001);
-  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.001);
+  EXPECT_LT(cornerErrorInOrder(room.columns[2], truth.columns[2]), 0.001);
+  EXPECT_LT(cornerErrorInOrder(room.details[0].boundary, truth.details[0].boundary),
+            0.001);
   EXPECT_NEAR(room.details[0].slab.heightAt({3, 0.3}), 2.6, 0.0005);
-  EXPECT_LT(cornerError(room.niches[0].boundary, truth.niches[0].boundary), 0.002);
+  EXPECT_LT(cornerErrorInOrder(room.niches[0].boundary, truth.niches[0].boundary),
+            0.002);
   EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 5.1}), 0.8, 0.001);
   EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 5.1}), 2.2, 0.001);
 }
@@ -124,7 +126,7 @@ TEST(AdjustPlan, AWallThatIsHalfADegreeOffIsNotMadeSquare)
     Floorplan plan = offPlan(roomOf(truth, 2.6), 0.008);
     adjustPlan(plan, raw.view());
     const PlanLoop& found = plan.rooms[0].boundary;
-    EXPECT_LT(cornerError(found, truth), 0.0006);
+    EXPECT_LT(cornerErrorInOrder(found, truth), 0.0006);
     const Vector2d wall = found.elements[0].end - found.elements[0].start;
     const Vector2d beside = found.elements[1].end - found.elements[1].start;
     const double sine = std::abs(wall.normalized().dot(beside.normalized()));
@@ -146,7 +148,7 @@ TEST(AdjustPlan, PartsOfOneWallComeOnOneLine)
     Floorplan plan = offPlan(roomOf(truth, 2.6), 0.005);
     adjustPlan(plan, raw.view());
     const auto& e = plan.rooms[0].boundary.elements;
-    EXPECT_LT(cornerError(plan.rooms[0].boundary, truth), 0.001);
+    EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, truth), 0.001);
     const Vector2d way = (e[0].end - e[0].start).normalized();
     const double between = std::abs(way.x() * (e[4].end - e[0].start).y() -
                                     way.y() * (e[4].end - e[0].start).x());
@@ -252,7 +254,7 @@ TEST(AdjustPlan, TiltedWallsAreMetAtTheirFeet)
       EXPECT_NEAR(boundary.elements[1].tilt, degrees * M_PI / 180, 0.0005);
       for (const std::size_t wall : {0, 2, 3})
         EXPECT_EQ(boundary.elements[wall].tilt, 0) << wall;
-      EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.001);
+      EXPECT_LT(cornerErrorInOrder(boundary, rectangle(0, 0, 4, 3)), 0.001);
     }
 }
 
@@ -270,7 +272,7 @@ TEST(AdjustPlan, WallsThatOnlySeemToTiltAreVertical)
       adjustPlan(plan, viewOf(points), {}, ofCoarsePlans());
       for (const PlanElement& wall : boundary.elements)
         EXPECT_EQ(wall.tilt, 0);
-      EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.05);
+      EXPECT_LT(cornerErrorInOrder(boundary, rectangle(0, 0, 4, 3)), 0.05);
     }
 }
 
@@ -300,7 +302,7 @@ TEST(AdjustPlan, ErrorsThatPointsShareAreMeasured)
   EXPECT_NEAR(report.waviness, 0.0035, 0.001);
   EXPECT_GT(report.correlation, 0.15);
   EXPECT_LT(report.correlation, 0.6);
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 8, 6)), 0.003);
+  EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, rectangle(0, 0, 8, 6)), 0.003);
 }
 
 TEST(AdjustPlan, RefusesEmptyLoopsAndLeavesWhatNoPointShows)
@@ -309,7 +311,7 @@ TEST(AdjustPlan, RefusesEmptyLoopsAndLeavesWhatNoPointShows)
   const PlanLoop was = plan.rooms[0].boundary;
   EXPECT_EQ(adjustPlan(plan, PointView()).problem,
             "none of the 0 points of the scan lies at a surface of the plan");
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, was), 0.02);
+  EXPECT_LT(cornerErrorInOrder(plan.rooms[0].boundary, was), 0.02);
   plan.rooms[0].boundary.elements.clear();
   RoomPoints raw(0.05);
   raw.room(plainRoom());

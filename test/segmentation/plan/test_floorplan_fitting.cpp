@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
 {
-  const TwoRooms scene;
+  const UnequalRooms scene;
   Fitting fitting;
   setEvidence(scene.points, scene.evidence, fitting);
   Floorplan plan;
@@ -184,7 +184,7 @@ TEST(FloorplanFitting, TellsTheNoiseOfWallsAndHowFarItIsAlike)
 
 TEST(FloorplanFitting, TakesTheRoomsOfThePointType)
 {
-  const TwoRooms scene;
+  const UnequalRooms scene;
   const auto cloud = scene.points.cloud<pcl::PointStructure>();
   for (std::size_t i = 0; i < cloud->size(); ++i)
     (*cloud)[i].room = scene.evidence.room[i];
@@ -199,7 +199,7 @@ TEST(FloorplanFitting, TakesTheRoomsOfThePointType)
 
 TEST(FloorplanFitting, NoIndicesAreNoPoints)
 {
-  const TwoRooms scene;
+  const UnequalRooms scene;
   Fitting fitting;
   setEvidence(scene.points, scene.evidence, fitting);
   fitting.setIndices(std::make_shared<pcl::Indices>());
@@ -210,7 +210,7 @@ TEST(FloorplanFitting, NoIndicesAreNoPoints)
 
 TEST(FloorplanFitting, HiddenCellsOfNoRoomOrPlaceAreRefused)
 {
-  const TwoRooms scene;
+  const UnequalRooms scene;
   Fitting fitting;
   setEvidence(scene.points, scene.evidence, fitting);
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -227,7 +227,7 @@ TEST(FloorplanFitting, HiddenCellsOfNoRoomOrPlaceAreRefused)
 
 TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)
 {
-  const TwoRooms scene;
+  const UnequalRooms scene;
   Fitting fitting;
   setEvidence(scene.points, scene.evidence, fitting);
   fitting.setRooms({1, 2, 3});

@@ -36,7 +36,7 @@ TEST(FitPlan, SeesTheBacksOfDeepNiches)
 
 TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
 {
-  TwoRooms scene;
+  UnequalRooms scene;
   // Points other than ceiling have no room here; they go to the nearest.
   for (const auto* part : {&scene.evidence.floor, &scene.evidence.walls})
     for (const int i : *part)
@@ -83,7 +83,7 @@ TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
 {
   // The left room's face of the partition is hidden along half a metre. Ceiling points
   // labelled as its own are inside the partition, before the other room's face.
-  TwoRooms scene;
+  UnequalRooms scene;
   const auto isHidden = [&](int i) {
     const Eigen::Vector3f& p = scene.points[i];
     return p.x() > 3.9F && p.x() < 4.05F && p.y() > 1 && p.y() < 1.5F;
@@ -104,7 +104,7 @@ TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
 
 TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
 {
-  TwoRooms scene;
+  UnequalRooms scene;
   auto& floor = scene.evidence.floor;
   floor.erase(std::remove_if(floor.begin(), floor.end(),
                              [&](int i) { return scene.points[i].x() > 4; }),
@@ -120,7 +120,7 @@ TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
 
 TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
 {
-  TwoRooms scene;
+  UnequalRooms scene;
   std::fill(scene.evidence.room.begin(), scene.evidence.room.end(), 0u);
   Fitting fitting;
   setEvidence(scene.points, scene.evidence, fitting);
@@ -132,7 +132,7 @@ TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
 
 TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
 {
-  TwoRooms scene;
+  UnequalRooms scene;
   for (const int i : scene.points.slab(rectangle(8.01, 0.01, 9.51, 1.01), 2.8)) {
     scene.evidence.ceiling.push_back(i);
     scene.evidence.room.push_back(3);
@@ -205,7 +205,7 @@ TEST(FitPlan, AFacadeOfGlassIsWhereTheCeilingEnds)
 
 TEST(FitPlan, AWallHiddenAlongAMetreGoesOnInItsLine)
 {
-  TwoRooms scene;
+  UnequalRooms scene;
   auto& walls = scene.evidence.walls;
   const auto isHidden = [&](int i) {
     const Eigen::Vector3f& p = scene.points[i];

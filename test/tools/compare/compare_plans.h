@@ -33,7 +33,7 @@ twoRooms(double partition = 5)
 
 /** The two rooms, and two above them with ids from 3. */
 inline pcl::sedr::Floorplan
-twoStoreys(double lower_partition = 5, double upper_partition = 5, double up = 3)
+storeysWith(double lower_partition = 5, double upper_partition = 5, double up = 3)
 {
   pcl::sedr::Floorplan plan = twoRooms(lower_partition);
   for (pcl::sedr::PlanRoom& room : twoRooms(upper_partition).rooms) {

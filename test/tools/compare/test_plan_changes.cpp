@@ -19,7 +19,7 @@ TEST(StructureCompare, TellsNothingOfWhatIsTheSame)
   for (int k = 0; k < 20; ++k) // one binary fraction more than that, another less
     EXPECT_EQ(told(twoRooms(4 + 0.1 * k), twoRooms(4.05 + 0.1 * k)), Lines{}) << k;
   EXPECT_EQ(told(twoRooms(), twoRooms(5.051)).size(), 1U);
-  EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(5, 4)), Lines{});
+  EXPECT_EQ(told(storeysWith(5, 4), storeysWith(5, 4)), Lines{});
   Floorplan renumbered = twoRooms();
   std::swap(renumbered.rooms[0], renumbered.rooms[1]);
   renumbered.rooms[0].id = 1;
@@ -140,25 +140,25 @@ TEST(StructureCompare, DetailsOfCeilingAndFloor)
 
 TEST(StoreysCompare, AWallOfTheOtherStoreyIsNoAnswer)
 {
-  EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(4, 4)),
+  EXPECT_EQ(told(storeysWith(5, 4), storeysWith(4, 4)),
             Lines{"moved partition by 1.00 m (x -1.00), 4.5 m: room_1_wall_2, "
                   "room_2_wall_4 -> room_1_wall_2, room_2_wall_4"});
   const Floorplan one{{boxRoomOf(1, 0, 0, 9, 4.5)}};
-  Floorplan before = twoStoreys(5, 4);
+  Floorplan before = storeysWith(5, 4);
   before.rooms.erase(before.rooms.begin(), before.rooms.begin() + 2);
   before.rooms.push_back(one.rooms[0]); // no partition below the upper one
-  EXPECT_EQ(told(before, twoStoreys(4, 4)),
+  EXPECT_EQ(told(before, storeysWith(4, 4)),
             Lines{"appeared partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
 }
 
 TEST(StoreysCompare, ARoomIsNotReplacedByOneThatLiesAboveIt)
 {
-  Floorplan upper = twoStoreys();
+  Floorplan upper = storeysWith();
   upper.rooms.erase(upper.rooms.begin());
-  EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_1"});
-  upper = twoStoreys();
+  EXPECT_EQ(told(storeysWith(), upper), Lines{"vanished room, 22.50 m2: room_1"});
+  upper = storeysWith();
   upper.rooms.erase(upper.rooms.begin() + 2);
-  EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_3"});
+  EXPECT_EQ(told(storeysWith(), upper), Lines{"vanished room, 22.50 m2: room_3"});
 }
 
 TEST(StoreysCompare, ARoomIsComparedWithTheOneThatSharesMostOfItsHeight)

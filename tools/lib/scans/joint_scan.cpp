@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Names = std::vector<const char*>;
-const Names of_scans{".pcd", ".ply", ".e57", ".las", ".xyz", ".pts"};
-const Names of_texts{".csv", ".txt", ".asc"};
+using Endings = std::vector<const char*>;
+const Endings of_scans{".pcd", ".ply", ".e57", ".las", ".xyz", ".pts"};
+const Endings of_texts{".csv", ".txt", ".asc"};
 
 bool
-hasOneOf(const Names& extensions, const std::string& path)
+hasOneOf(const Endings& extensions, const std::string& path)
 {
   return std::any_of(extensions.begin(), extensions.end(), [&](const char* extension) {
     return hasExtension(path, extension);
@@ -55,7 +55,7 @@ scansIn(const std::string& folder)
   if (results > 0)
     warnOnce("the folder '" + folder + "' has " + std::to_string(results) +
              " files that its report.json lists as results, which are left out");
-  for (const Names& extensions : {of_scans, of_texts})
+  for (const Endings& extensions : {of_scans, of_texts})
     if (paths.empty()) {
       const auto scans =
           std::stable_partition(others.begin(), others.end(), [&](const auto& path) {

@@ -99,14 +99,14 @@ protected:
 
 /** Two rooms, 20 cm apart. */
 RoomScan
-twoRooms()
+roomsApart()
 {
   return scanOfRooms({{}, {4.57, -1.21, 3.2, 3, 2.5, 2}});
 }
 
 TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
 {
-  writeFile(in("scan.pcd"), twoRooms().pcd(false));
+  writeFile(in("scan.pcd"), roomsApart().pcd(false));
   Strings arguments{in("scan.pcd"), in("alone"), "--threads", "1"};
   ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
   for (const int ranks : {2, 3}) {
@@ -122,8 +122,8 @@ TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
 
 TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessOfE57AndLas)
 {
-  writeFile(in("scan.e57"), asE57(twoRooms()));
-  writeFile(in("scan.las"), asLas(twoRooms()));
+  writeFile(in("scan.e57"), asE57(roomsApart()));
+  writeFile(in("scan.las"), asLas(roomsApart()));
   for (const std::string scan : {"scan.e57", "scan.las"}) {
     Strings arguments{in(scan), in(scan + "_alone"), "--no-mesh", "--threads", "1"};
     ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
@@ -141,7 +141,7 @@ TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessOfE57AndLas)
 
 TEST_F(SedrMpiTool, TakesAFolderAsOneScan)
 {
-  const RoomScan scan = twoRooms();
+  const RoomScan scan = roomsApart();
   const auto part = [&](std::size_t from, std::size_t to) {
     RoomScan some;
     for (std::size_t i = from; i < to; ++i)
@@ -208,7 +208,7 @@ TEST_F(SedrMpiTool, TellsOfAScanWithoutStructure)
 
 TEST_F(SedrMpiTool, TellsWhichRankCouldNotReadItsRows)
 {
-  std::string damaged = asE57(twoRooms());
+  std::string damaged = asE57(roomsApart());
   damaged[damaged.size() / 4] ^= 1; // one of the first pages, whose checksum is wrong
   writeFile(in("scan.e57"), damaged);
   const ProgramRun result = mpirun(2, {in("scan.e57"), in("out")});
@@ -222,7 +222,7 @@ TEST_F(SedrMpiTool, TellsWhichRankCouldNotReadItsRows)
 
 TEST_F(SedrMpiTool, TakesStraysUnitAndGapsOfTheWholeScan)
 {
-  RoomScan scan = twoRooms();
+  RoomScan scan = roomsApart();
   std::mt19937 random(5);
   std::uniform_real_distribution<float> share(0, 1);
   for (int i = 0; i < 3000; ++i) { // in the air of one rank
