@@ -11,7 +11,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double max_hidden = 5; // metres, between parts of a face, or to a corner
-constexpr double step = 0.1;     // metres, along lines on which points are looked for
 
 /** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
 void
@@ -117,8 +116,8 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey)
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
-  walls_ = PlanPoints(walls, step);
-  parts_ = PlanPoints(parts, step);
+  walls_ = PlanPoints(walls, 2 * StoreyLine::bin);
+  parts_ = PlanPoints(parts, 2 * StoreyLine::bin);
 }
 
 bool
@@ -142,6 +141,7 @@ LineEvidence::forEachOn(const StoreyLine& line,
                         const PlanPoints& points,
                         Visitor visit) const
 {
+  const double step = 2 * StoreyLine::bin;
   const auto steps =
       static_cast<std::size_t>(std::ceil((line.to - line.from) / step)) + 1;
   for (std::size_t k = 0; k < steps; ++k)
@@ -237,17 +237,20 @@ LineEvidence::findBetween(StoreyLine& line) const
   const std::size_t bins = line.tall.size();
   const std::vector<double> since = waysToSurface(line.tall, true);
   const std::vector<double> until = waysToSurface(line.tall, false);
+  const double support = line.support();
   std::vector<float> parts(bins, 0);
   forEachOn(line, parts_,
             [&](std::size_t, std::size_t i, double, double) { parts[i] = 1; });
   clean(parts);
   line.between.assign(bins, StoreyLine::Between::Beyond);
   for (std::size_t i = 0; i < bins; ++i) {
-    const bool is_gap = since[i] + until[i] < max_hidden;
+    const double gap = since[i] + until[i];
     const Cell cell = cellAt(line, i);
-    if ((is_gap && parts[i] > 0) || (isIn(part_, cell) && !isIn(opaque_, cell)))
+    // A wall of which more is seen than the gap is long may have a blind behind it.
+    const bool is_opening = parts[i] > 0 && gap < std::min(support, max_hidden);
+    if (is_opening || (isIn(part_, cell) && !isIn(opaque_, cell)))
       line.between[i] = StoreyLine::Between::Partly;
-    else if (is_gap)
+    else if (gap < max_hidden)
       line.between[i] = StoreyLine::Between::Gap;
   }
 }

@@ -61,7 +61,7 @@ struct StoreyEvidence {
 /** @brief What the rooms of a storey saw, asked line by line. */
 class LineEvidence {
 public:
-  /** @brief O(cells of the storey). */
+  /** @brief O(cells of the storey + n log n of its points). */
   explicit LineEvidence(const StoreyEvidence& storey);
 
   /** @brief Finds where each room saw the surface of a line. O(its length + points near
@@ -77,7 +77,8 @@ public:
 
 private:
   /** @brief Calls `visit(point, bin of the line, way along it, distance as a share of
-   * the line's maximum)` for points on a line; some twice. */
+   * the line's maximum)` for points on a line, some more
+   * than once. */
   template <typename Visitor>
   void forEachOn(const StoreyLine& line, const PlanPoints& points, Visitor visit) const;
 

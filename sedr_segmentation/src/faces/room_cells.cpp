@@ -170,6 +170,7 @@ gatherWalls(const PointView& points,
     bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
+  std::vector<std::pair<std::size_t, Eigen::Vector2d>> low_places; // below a sill
   const std::vector<float>& low = ends.low;
   const std::vector<float>& high = ends.high;
   std::vector<float> below_top(count, 0);
@@ -225,9 +226,12 @@ gatherWalls(const PointView& points,
             return;
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
-          if (const double above = q.z() - cells.floor; above > p.rim)
+          if (const double above = q.z() - cells.floor; above > p.rim) {
             bins_of_base[at] |= std::uint64_t{1}
                                 << static_cast<int>(std::min(63.0, above / p.bin));
+            if (above < p.sill)
+              low_places.emplace_back(at, q.head<2>().cast<double>());
+          }
           const bool is_below_low = isBelow(cells.low[at]);
           const bool is_below_top = isBelow(cells.top[at]);
           if (is_below_low)
@@ -327,13 +331,9 @@ gatherWalls(const PointView& points,
       cells.wall_shares.insert(cells.wall_shares.end(), p.filled, shareAt(i));
     }
   }
-  const auto addPart = [&](std::size_t at, const Eigen::Vector3f& q) {
-    const double above = q.z() - cells.floor;
-    if (cells.base.values()[at] && above > p.rim && above < p.sill)
-      cells.part_points.emplace_back(q.head<2>().cast<double>());
-  };
-  forEachIn(cells.seen, grid, points, room.walls, addPart, atTop);
-  forEachIn(cells.seen, grid, points, room.others, addPart, atTop);
+  for (const auto& [cell, at] : low_places)
+    if (cells.base.values()[cell] && !cells.solid.values()[cell])
+      cells.part_points.push_back(at);
 }
 
 bool

@@ -45,7 +45,8 @@ struct RoomCells {
   /** @brief Of the height from floor to ceiling at each of them, the share at which
    * something was seen: little of a bulkhead's, much of a wall's. */
   std::vector<float> wall_shares;
-  std::vector<Eigen::Vector2d> part_points; ///< on surfaces of `base` and `riser`
+  /** @brief On surfaces of `riser`, and of `base` where none goes on to the ceiling. */
+  std::vector<Eigen::Vector2d> part_points;
 
   /** @brief Returns whether two rooms share more than half a metre of height. */
   bool sharesHeights(const RoomCells& other) const;
