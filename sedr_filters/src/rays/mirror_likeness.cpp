@@ -16,13 +16,12 @@ namespace {
 /** @brief What was met behind a pane at places that say something: their like elsewhere
  * is not there by chance, as that of a floor behind a vertical pane would be. */
 std::vector<Eigen::Vector3d>
-tellingPlaces(const Pane& pane, const Places& behind, const CubeTable& filled)
+tellingPlaces(const Pane& pane, const Places& behind, const CubeTable& all)
 {
   constexpr double aside = 0.5; // metres
   std::vector<Eigen::Vector3d> telling;
   for (const Eigen::Vector3d& p : behind)
-    if (!filled.isNear(p + aside * pane.normal) &&
-        !filled.isNear(p - aside * pane.normal))
+    if (!all.isNear(p + aside * pane.normal) && !all.isNear(p - aside * pane.normal))
       telling.push_back(p);
   return telling;
 }
@@ -89,25 +88,28 @@ isMirroredAtSeveralDepths(const Layers& layers)
 } // namespace
 
 MirrorLikeness
-moveToMirror(Pane& pane, const Places& behind, const CubeTable& filled)
+moveToMirror(Pane& pane,
+             const Places& behind,
+             const CubeTable& all,
+             const CubeTable& before)
 {
   constexpr std::size_t fewest = 30;
   constexpr double step = 0.05; // metres
-  constexpr int before = -1;    // steps
-  constexpr int after = 6;
+  constexpr int nearest = -1;   // steps
+  constexpr int deepest = 6;
   constexpr int beside = 10; // too far for the same pane
   constexpr int farthest = 20;
   MirrorLikeness best;
-  const std::vector<Eigen::Vector3d> telling = tellingPlaces(pane, behind, filled);
+  const std::vector<Eigen::Vector3d> telling = tellingPlaces(pane, behind, all);
   if (telling.size() < fewest)
     return best;
   const double offset = pane.offset;
   const auto layersAt = [&](int k) {
     Pane moved = pane;
     moved.offset = offset + k * step;
-    return layersOf(moved, telling, filled);
+    return layersOf(moved, telling, before);
   };
-  for (int k = before; k <= after; ++k) {
+  for (int k = nearest; k <= deepest; ++k) {
     const Layers layers = layersAt(k);
     const double share = mirroredShare(layers);
     if (share <= best.share)
@@ -176,7 +178,9 @@ wallAt(const Places& border, const Places& before, const Places& behind)
                  [&](const Eigen::Vector3d& p) { return wall.isNear(p, 0, band); });
     if (near.size() < 2)
       break;
-    wall = {lineThrough(near).middle, lineThrough(near).normal, wall.half_length};
+    const double half_length = wall.half_length;
+    wall = lineThrough(near);
+    wall.half_length = half_length;
   }
   double depth = 0;
   for (const Eigen::Vector3d& p : behind)
@@ -186,16 +190,25 @@ wallAt(const Places& border, const Places& before, const Places& behind)
   return wall;
 }
 
-/** @brief Returns how many cells of a wall there are places at, from a depth on. */
-double
-cellsAt(const WallLine& wall, const Places& places, double depth, double reach)
+using WallCell = std::pair<long, long>; ///< along it and up
+
+/** @brief Returns the cell of a wall that a place is at. */
+WallCell
+cellOf(const WallLine& wall, const Eigen::Vector3d& p)
 {
   constexpr double cell = 0.2; // metres
-  std::set<std::pair<long, long>> cells;
+  return {std::lround(wall.along(p) / cell), std::lround(p.z() / cell)};
+}
+
+/** @brief Returns the cells of a wall that there are places at, from a depth on. */
+std::set<WallCell>
+cellsAt(const WallLine& wall, const Places& places, double depth, double reach)
+{
+  std::set<WallCell> cells;
   for (const Eigen::Vector3d& p : places)
     if (wall.isNear(p, depth, reach))
-      cells.insert({std::lround(wall.along(p) / cell), std::lround(p.z() / cell)});
-  return static_cast<double>(cells.size());
+      cells.insert(cellOf(wall, p));
+  return cells;
 }
 
 constexpr double face_noise = 0.05; // metres, of a face and its noise
@@ -206,10 +219,49 @@ faceBehind(const WallLine& wall, const Places& before, const Places& behind)
 {
   constexpr int nearest = 2; // times, to the face of a thin wall
   constexpr int farthest = 10;
-  double face = 0;
+  std::size_t face = 0;
   for (int k = nearest; k <= farthest; ++k)
-    face = std::max(face, cellsAt(wall, behind, k * face_noise, face_noise));
-  return std::min(face / std::max(cellsAt(wall, before, 0, face_noise), 1.0), 1.0);
+    face = std::max(face, cellsAt(wall, behind, k * face_noise, face_noise).size());
+  const std::size_t cells = cellsAt(wall, before, 0, face_noise).size();
+  return face < cells ? static_cast<double>(face) / static_cast<double>(cells) : 1;
+}
+
+/** @brief Returns the share of a wall that is a thin partition: its two faces are so
+ * near that they look like one, with more spread than the noise of one explains. */
+double
+thinShare(const WallLine& wall, const Places& before, const PointView& points)
+{
+  constexpr double thickest = 0.1; // metres
+  constexpr double noise = 0.01;   // metres, of points of one face
+  constexpr double fewest = 5;     // points of a cell
+  struct Depths {
+    double count = 0;
+    double sum = 0;
+    double squares = 0;
+  };
+  std::map<WallCell, Depths> cells;
+  for (const WallCell& cell : cellsAt(wall, before, 0, face_noise))
+    cells[cell];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d p = points[i].cast<double>();
+    if (!points.isFinite(i) || !wall.isNear(p, 0, thickest))
+      continue;
+    const auto at = cells.find(cellOf(wall, p));
+    if (at == cells.end())
+      continue;
+    ++at->second.count;
+    at->second.sum += wall.depth(p);
+    at->second.squares += wall.depth(p) * wall.depth(p);
+  }
+  double thin = 0;
+  double all = 0;
+  for (const auto& [cell, depths] : cells)
+    if (depths.count >= fewest) {
+      const double mean = depths.sum / depths.count;
+      ++all;
+      thin += depths.squares / depths.count - mean * mean > noise * noise ? 1 : 0;
+    }
+  return all > 0 ? thin / all : 1;
 }
 
 /** @brief Whether a wall or pane is there: what lies behind is not just beyond an edge.
@@ -217,40 +269,45 @@ faceBehind(const WallLine& wall, const Places& before, const Places& behind)
 bool
 isSurface(const WallLine& wall, const Places& before, const Places& behind)
 {
+  constexpr double shortest = 0.5; // metres
   constexpr double least = 0.5;    // of the cells before what lies behind
   constexpr double anywhere = 100; // metres
-  return cellsAt(wall, before, 0, face_noise) >=
-         least * cellsAt(wall, behind, anywhere, anywhere);
+  return 2 * wall.half_length >= shortest &&
+         static_cast<double>(cellsAt(wall, before, 0, face_noise).size()) >
+             least *
+                 static_cast<double>(cellsAt(wall, behind, anywhere, anywhere).size());
 }
 
 } // namespace
 
-double
-mirroredBehind(const Places& border, const Places& before, const Places& behind)
+bool
+isReflection(const Places& border,
+             const SeenPart& before,
+             const SeenPart& behind,
+             const CubeTable& all,
+             const PointView& points)
 {
-  constexpr double least = 0.3; // metres behind: nearer to a mirror all is like itself
-  constexpr std::size_t enough = 1500;
-  if (border.empty() || behind.empty())
-    return 0;
-  const WallLine wall = wallAt(border, before, behind);
+  constexpr double most = 0.3;  // of a wall with two faces: of mirrors' up to 0.26
+  constexpr double least = 0.7; // of mirrors 0.9 and more
+  constexpr double nearest =
+      0.3; // metres behind: nearer to a mirror all is like itself
+  if (border.empty() || behind.places.empty())
+    return false;
+  const WallLine wall = wallAt(border, before.places, behind.places);
+  if (!isSurface(wall, before.places, behind.places) ||
+      faceBehind(wall, before.places, behind.places) > most ||
+      faceBehind(wallAt(border, behind.places, before.places), behind.places,
+                 before.places) > most ||
+      thinShare(wall, before.places, points) > most)
+    return false;
   Pane pane;
   pane.normal << wall.normal, 0;
   pane.offset = wall.normal.dot(wall.middle);
-  Places some;
-  for (std::size_t k = 0; k < behind.size(); k += behind.size() / enough + 1)
-    if (wall.depth(behind[k]) > least)
-      some.push_back(behind[k]);
-  CubeTable filled(mirror_cube);
-  for (const Eigen::Vector3d& p : before)
-    filled.add(filled.at(p));
-  const MirrorLikeness found = moveToMirror(pane, some, filled);
-  const auto face = [&] {
-    return std::max(faceBehind(wall, before, behind),
-                    faceBehind(wallAt(border, behind, before), behind, before));
-  };
-  return found.isMirror() && isSurface(wall, before, behind)
-             ? found.share * (1 - face())
-             : 0;
+  Places deep;
+  std::copy_if(behind.places.begin(), behind.places.end(), std::back_inserter(deep),
+               [&](const Eigen::Vector3d& p) { return wall.depth(p) > nearest; });
+  const MirrorLikeness found = moveToMirror(pane, deep, all, before.cubes);
+  return found.isMirror() && found.share >= least;
 }
 
 } // namespace pcl::sedr

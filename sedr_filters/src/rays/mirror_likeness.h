@@ -33,16 +33,38 @@ struct MirrorLikeness {
 /** @brief Moves a pane, whose normal points away from the scanner, to where it mirrors
  * most: it may stand behind its wall's face. O(places).
  * @param behind places behind it
- * @param filled cubes that hold points */
-MirrorLikeness moveToMirror(Pane& pane, const Places& behind, const CubeTable& filled);
+ * @param all cubes that hold points: a surface that goes on along the normal is like
+ * itself wherever it is mirrored, and says nothing
+ * @param before cubes of those before the pane */
+MirrorLikeness moveToMirror(Pane& pane,
+                            const Places& behind,
+                            const CubeTable& all,
+                            const CubeTable& before);
 
-/** @brief Returns how surely what lies behind a wall is a reflection in it: the share
- * of it that has its like before the wall, less the share of the wall behind which
- * there is another face, as rooms have that are built alike; 0 if it looks like none.
- * O(places).
+/** @brief What was seen of a part of a building, one place a cube. */
+struct SeenPart {
+  Places places;
+  CubeTable cubes = CubeTable(mirror_cube);
+
+  void add(const Eigen::Vector3d& p)
+  {
+    places.push_back(p);
+    cubes.add(cubes.at(p));
+  }
+};
+
+/** @brief Whether what lies behind a wall is a reflection in it: there is a wall of one
+ * face, and what is behind has its like before it; of rooms that are built alike both
+ * faces of the wall between were seen. O(places), and O(points) if the rest holds.
  * @param border places about where the wall is
- * @param before places before the wall, and on it
- * @param behind places behind it */
-double mirroredBehind(const Places& border, const Places& before, const Places& behind);
+ * @param before what was seen before the wall, and on it
+ * @param behind what was seen behind it
+ * @param all cubes of what was seen, see moveToMirror()
+ * @param points those of the scan */
+bool isReflection(const Places& border,
+                  const SeenPart& before,
+                  const SeenPart& behind,
+                  const CubeTable& all,
+                  const PointView& points);
 
 } // namespace pcl::sedr

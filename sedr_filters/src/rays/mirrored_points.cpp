@@ -114,7 +114,7 @@ mirrorsAmong(const PaneRays& all, const CubeTable& filled, unsigned threads)
       moved[k].normal = -moved[k].normal;
       moved[k].offset = -moved[k].offset;
     }
-    is_mirror[k] = moveToMirror(moved[k], behind, filled).isMirror() ? 1 : 0;
+    is_mirror[k] = moveToMirror(moved[k], behind, filled, filled).isMirror() ? 1 : 0;
   });
   std::vector<Pane> mirrors;
   for (std::size_t k = 0; k < panes.size(); ++k)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reflections.h"
 
+#include "sedr_filters/src/grids/disjoint_sets.h"
 #include "sedr_filters/src/rays/mirror_likeness.h"
 
 #include <algorithm>
@@ -142,17 +143,68 @@ viewsThroughPanes(const AirGaps& air,
 
 namespace {
 
-/** @brief Returns what was seen of each part of the air, but its floor and ceiling: of
- * points in its columns or beside them one a cube. */
-std::vector<Places>
-placesOfParts(const AirGaps& air,
-              const PartedAir& parted,
-              const PointView& points,
-              const std::vector<double>& floors)
+/** @brief Returns for each part of the air one of those that air leads to from it: the
+ * same for all that are connected. */
+std::vector<std::uint32_t>
+connectedParts(const PartedAir& parted)
 {
-  std::vector<Places> places(parted.rooms);
+  DisjointSets<> sets(parted.rooms);
+  for (const RoomOpening& opening : parted.openings)
+    sets.join(opening.a, opening.b);
+  std::vector<std::uint32_t> connected;
+  for (std::uint32_t p = 0; p < parted.rooms; ++p)
+    connected.push_back(sets.find(p));
+  return connected;
+}
+
+using Borders = std::map<std::pair<std::size_t, std::size_t>, Places>;
+
+/** @brief Returns the places between parts that are side by side, one behind a wall of
+ * the other, and not connected, by the numbers of both. */
+Borders
+bordersOf(const AirGaps& air, const PartedAir& parted)
+{
+  const std::vector<std::uint32_t> connected = connectedParts(parted);
+  Borders borders;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    for (int k = 0; parted.room[g] != PartedAir::no_room && k < 9; ++k) {
+      const Eigen::Vector2d step = beside * Eigen::Vector2d(k % 3 - 1, k / 3 - 1);
+      const Eigen::Vector2d between = air.placeOf(g) + step;
+      const std::uint32_t column = air.columnAt(between + step);
+      if (column == VoxelColumns::none)
+        continue;
+      for (std::size_t o = air.first(column); o < air.first(column + 1); ++o)
+        if (parted.room[o] > parted.room[g] && air[o].low < air[g].high &&
+            air[o].high > air[g].low &&
+            connected[static_cast<std::size_t>(parted.room[o])] !=
+                connected[static_cast<std::size_t>(parted.room[g])])
+          borders[{parted.room[g], parted.room[o]}].emplace_back(between.x(),
+                                                                 between.y(), 0);
+    }
+  return borders;
+}
+
+/** @brief What was seen of parts of the air, but their floors and ceilings. */
+struct SeenParts {
+  std::vector<SeenPart> parts;              ///< empty for those with no border
+  CubeTable cubes = CubeTable(mirror_cube); ///< of these and what else was seen
+};
+
+/** @brief Returns what was seen of the parts with borders: of points in their columns
+ * or beside them one a cube. */
+SeenParts
+partsSeen(const AirGaps& air,
+          const PartedAir& parted,
+          const PointView& points,
+          const std::vector<double>& floors,
+          const Borders& borders)
+{
+  SeenParts seen;
+  seen.parts.resize(parted.rooms);
+  std::vector<std::uint8_t> has_border(parted.rooms, 0);
+  for (const auto& border : borders)
+    has_border[border.first.first] = has_border[border.first.second] = 1;
   const VoxelColumns& columns = air.columns();
-  CubeTable cubes(mirror_cube);
   const auto isOfSlab = [&](const Eigen::Vector3d& p) {
     const std::uint32_t column = air.columnAt(p.head<2>());
     for (std::size_t g = column == VoxelColumns::none ? air.size() : air.first(column);
@@ -166,9 +218,9 @@ placesOfParts(const AirGaps& air,
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d p = points[i].cast<double>();
-    const std::size_t known = cubes.size();
+    const std::size_t known = seen.cubes.size();
     if (!points.isFinite(i) || !columns.grid().holds(points[i].x(), points[i].y()) ||
-        isOfSlab(p) || cubes.add(cubes.at(p)) < known)
+        isOfSlab(p) || seen.cubes.add(seen.cubes.at(p)) < known)
       continue;
     for (int k = 0; k < 9; ++k) {
       const std::uint32_t column =
@@ -179,37 +231,15 @@ placesOfParts(const AirGaps& air,
         if (parted.room[g] == PartedAir::no_room)
           continue;
         const auto part = static_cast<std::size_t>(parted.room[g]);
-        Places& of_part = places[part];
-        if (p.z() > floors[part] + beside &&
+        Places& of_part = seen.parts[part].places;
+        if (has_border[part] != 0 && p.z() > floors[part] + beside &&
             p.z() < columns.heightOf(air[g].high) - beside &&
             (of_part.empty() || of_part.back() != p))
-          of_part.push_back(p);
+          seen.parts[part].add(p);
       }
     }
   }
-  return places;
-}
-
-/** @brief Returns the places between parts that are side by side, one behind a wall of
- * the other, by the numbers of both. */
-std::map<std::pair<std::size_t, std::size_t>, Places>
-bordersOf(const AirGaps& air, const PartedAir& parted)
-{
-  std::map<std::pair<std::size_t, std::size_t>, Places> borders;
-  for (std::uint32_t g = 0; g < air.size(); ++g)
-    for (int k = 0; parted.room[g] != PartedAir::no_room && k < 9; ++k) {
-      const Eigen::Vector2d step = beside * Eigen::Vector2d(k % 3 - 1, k / 3 - 1);
-      const Eigen::Vector2d between = air.placeOf(g) + step;
-      const std::uint32_t column = air.columnAt(between + step);
-      if (column == VoxelColumns::none)
-        continue;
-      for (std::size_t o = air.first(column); o < air.first(column + 1); ++o)
-        if (parted.room[o] > parted.room[g] && air[o].low < air[g].high &&
-            air[o].high > air[g].low)
-          borders[{parted.room[g], parted.room[o]}].emplace_back(between.x(),
-                                                                 between.y(), 0);
-    }
-  return borders;
+  return seen;
 }
 
 } // namespace
@@ -220,20 +250,19 @@ mirroredParts(const AirGaps& air,
               const PointView& points,
               const std::vector<double>& floors)
 {
-  constexpr double least = 0.7; // of mirrors 0.9 and more, of rooms built alike to 0.4
   std::vector<std::uint8_t> is_mirrored(parted.rooms, 0);
-  const std::vector<Places> places = placesOfParts(air, parted, points, floors);
-  for (const auto& [parts, border] : bordersOf(air, parted)) {
-    const auto isBetween = [a = parts.first, b = parts.second](const RoomOpening& at) {
-      return at.a == a && at.b == b;
-    };
-    if (std::any_of(parted.openings.begin(), parted.openings.end(), isBetween))
-      continue; // no mirror is there
+  const Borders borders = bordersOf(air, parted);
+  if (borders.empty())
+    return is_mirrored;
+  const SeenParts seen = partsSeen(air, parted, points, floors, borders);
+  for (const auto& [parts, border] : borders) {
     const auto [behind, before] =
         std::minmax(parts.first, parts.second, [&](std::size_t a, std::size_t b) {
-          return places[a].size() < places[b].size();
+          return seen.parts[a].places.size() < seen.parts[b].places.size();
         });
-    if (mirroredBehind(border, places[before], places[behind]) >= least)
+    if (is_mirrored[behind] == 0 && is_mirrored[before] == 0 &&
+        isReflection(border, seen.parts[before], seen.parts[behind], seen.cubes,
+                     points))
       is_mirrored[behind] = 1;
   }
   return is_mirrored;

@@ -30,9 +30,8 @@ std::vector<std::uint8_t> viewsThroughPanes(const AirGaps& air,
                                             const std::vector<std::uint8_t>& behind);
 
 /** @brief Which parts of the air are what a mirror shows of a part beside them, to
- * which no air leads: of two that look so the one of which less was seen, see
- * mirroredBehind(). O(n) for n
- * points, and for each pair of parts.
+ * which no air leads, not even through others: of two that look so the one of which
+ * less was seen, see isReflection(). O(n) for n points, and for each such pair.
  * @param floors main floor of each part, metres
  * @return 1 for each such part */
 std::vector<std::uint8_t> mirroredParts(const AirGaps& air,

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace {
@@ -256,83 +255,6 @@ TEST(FindBuilding, OfAScanWithoutRoomsTellsWhatWasLookedFor)
   EXPECT_NE(found.problem.find("1.9 m"), std::string::npos) << found.problem;
   EXPECT_NE(found.problem.find(std::to_string(scene.points.size())), std::string::npos);
   EXPECT_NE(Found(AirScene()).problem, "");
-}
-
-TEST(MirrorImages, AreAsHighAsTheRoomAboveAndBelowASingleSurface)
-{
-  for (const auto& [low, high, rooms] :
-       {std::tuple(-2.49, 0.01, 1u), std::tuple(-2.51, -0.01, 1u),
-        std::tuple(-2.57, -0.07, 2u), std::tuple(-2.69, -0.19, 2u), // below a slab
-        std::tuple(-2.79, 0.01, 2u)}) {                             // higher
-    AirScene scene;
-    scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-    scene.room(0.05, 0.05, 4.05, 3.05, low, high);
-    const Found found(scene);
-    ASSERT_EQ(found.building.rooms.size(), rooms) << low;
-    EXPECT_NE(found.roomAt(2, 1.5, 1), 0u) << low;
-    if (rooms == 1) {
-      EXPECT_EQ(found.building.left_out.at(0).kind, LeftOutKind::Mirror);
-    }
-  }
-}
-
-TEST(MirrorImages, MayHaveTheirFurnitureUpsideDown)
-{
-  AirScene scene;
-  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
-                    [](double x, double y) { return x > 1 || y > 2; }); // beside a desk
-  for (const double z : {-2.49, 2.51})
-    scene.slab(0.05, 0.05, 4.05, 3.05, z);
-  for (const double z : {-0.69, 0.71})
-    scene.slab(0.05, 0.05, 1.05, 2.05, z);
-  scene.slab(3.05, 0.05, 3.45, 0.45, 0.17); // a carton, its image too sparse
-  scene.sides(0.05, 0.05, 4.05, 3.05, -2.49, 2.51);
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 1u);
-  EXPECT_NEAR(found.building.rooms[0].floor, 0.01, 0.06);
-  EXPECT_EQ(found.building.left_out.at(0).kind, LeftOutKind::Mirror);
-}
-
-/** A room of 4 m x 3 m with cupboards, and behind its wall at x = 4.05 the same once
- * more, as that wall mirrors it: less of a wall, and no face of its own. Or a room
- * built alike, behind a wall of 10 cm. */
-AirScene
-twice(bool is_mirror)
-{
-  AirScene scene(17);
-  for (const bool is_second : {false, true}) {
-    const double end = is_mirror ? 8.1 : 8.2;
-    const auto box = [&](double x0, double y0, double x1, double y1, double top) {
-      if (is_second)
-        std::tie(x0, x1) = std::pair(end - x1, end - x0);
-      scene.sides(x0, y0, x1, y1, 0.01, top);
-      scene.slab(x0, y0, x1, y1, top);
-      return std::pair(x0, x1);
-    };
-    box(1.05, 2.45, 1.55, 3.05, 1.91);
-    box(2.65, 0.05, 3.15, 0.65, 1.21);
-    box(0.05, 1.25, 0.55, 2.05, 2.21);
-    const auto [x0, x1] = box(0.05, 0.05, 4.05, 3.05, 0.01);
-    scene.slab(x0, 0.05, x1, 3.05, 2.51);
-    scene.wall(x0, 0.05, x1, 0.05, 0.01, 2.51);
-    scene.wall(x0, 3.05, x1, 3.05, 0.01, is_second && is_mirror ? 1.51 : 2.51);
-    for (const double x : {x0, x1})
-      if (!is_second || !is_mirror || x > 4.1)
-        scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
-  }
-  return scene;
-}
-
-TEST(MirrorImages, BehindAWallAreNoRoomButOneBuiltAlikeIs)
-{
-  const AirScene mirror = twice(true);
-  const Found found(mirror);
-  ASSERT_EQ(found.building.rooms.size(), 1u);
-  EXPECT_NE(found.roomAt(2, 1), 0u) << "the one that was seen better";
-  ASSERT_FALSE(found.building.left_out.empty());
-  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Mirror);
-  EXPECT_NE(found.building.left_out[0].reason.find("mirror"), std::string::npos);
-  EXPECT_EQ(Found(twice(false)).building.rooms.size(), 2u);
 }
 
 } // namespace
