@@ -128,7 +128,6 @@ viewsThroughPanes(const AirGaps& air,
                   const PointView& points,
                   const std::vector<std::uint8_t>& behind)
 {
-  constexpr double most = 0.9; // of the points
   Shares shares(parted);
   const VoxelColumns& columns = air.columns();
   if (!behind.empty())
@@ -138,7 +137,7 @@ viewsThroughPanes(const AirGaps& air,
               p.z() < columns.heightOf(air[g].high) + beside)
             shares.add(parted.room[g], behind[i] != 0);
         });
-  return shares.above(most);
+  return shares.above(0.9);
 }
 
 namespace {

@@ -31,6 +31,8 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
     : grid_(grid)
     , on_slab_(2 * plan.rooms.size())
     , beyond_(2 * plan.rooms.size())
+    , above_(plan.rooms.size())
+    , ceilings_(plan.rooms.size())
     , rooms_near_(0.5)
     , verticals_near_(0.5)
     , standing_(plan.rooms.size())
@@ -66,7 +68,7 @@ SeenSurfaces::nearness(const Eigen::Vector3d& p)
       continue;
     const double off =
         std::abs((p - surface.pointAt(s, p.z())).dot(surface.normalAt(s)));
-    if (off <= tolerance)
+    if (off <= tolerance && p.z() < spans[tile].high - off_wall)
       seen[tile] |= stepAt(p.z() - spans[tile].low - off_wall, off_wall);
     nearest.first = std::min(nearest.first, off / tolerance);
     nearest.second = std::min(nearest.second, off);
@@ -105,6 +107,8 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
   for (const std::size_t k : {0, 1})
     if (std::abs(p.z() - heights[k]) < off_slab)
       on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
+  if (std::abs(p.z() - heights[1]) < off_slab)
+    ceilings_[r].insert(keyOf(tiles_.at(p.x(), p.y())));
   if (distance >= relief)
     addStanding(p, r);
 }
@@ -119,9 +123,15 @@ SeenSurfaces::addBeyond(const Eigen::Vector3d& p)
     const double below = rooms_[r].floorAt(place) - p.z();
     const double above = p.z() - rooms_[r].ceilingAt(place);
     const double off = std::max(below, above);
-    if (off > off_slab && off < reach)
-      beyond_[2 * r + (below > above ? 0 : 1)].try_emplace(
-          keyOf(grid_.at(p.x(), p.y())), static_cast<float>(p.z()));
+    if (off <= off_slab || off >= reach)
+      continue;
+    beyond_[2 * r + (below > above ? 0 : 1)].try_emplace(keyOf(grid_.at(p.x(), p.y())),
+                                                         static_cast<float>(p.z()));
+    if (above > below) {
+      Beyond& tile = above_[r][keyOf(tiles_.at(p.x(), p.y()))];
+      tile.heights += p.z();
+      ++tile.points;
+    }
   }
 }
 
@@ -132,15 +142,9 @@ SeenSurfaces::tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) c
   const double told = 0.25 * plan.area();
   const double floor = plan.floorAt(plan.boundary.elements.front().start);
   std::array<std::vector<CellValue>, 2> heights; // of what is below and above
-  std::vector<CellValue> open;                   // above, and no ceiling below it
   for (const std::size_t k : {0, 1})
-    for (const auto& [key, height] : beyond_[2 * room + k]) {
+    for (const auto& [key, height] : beyond_[2 * room + k])
       heights[k].emplace_back(key, height - floor);
-      const bool is_inside =
-          plan.boundary.distance(grid_.centre(cellOf(key))) > grid_.size();
-      if (k == 1 && is_inside && !isOnSlab(room, key, false))
-        open.push_back(heights[k].back());
-    }
   const Patches below(heights[0], grid_.size());
   const Patches above(heights[1], grid_.size());
   if (std::min(below.area, above.area) > told) {
@@ -148,7 +152,18 @@ SeenSurfaces::tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) c
     warnings.push_back(slabWarning(false, above, plan));
     return;
   }
-  const Patches pieces(open, grid_.size(), 0); // however small, as between ribs
+  // Of so many points a ceiling would have hidden some, and of one in a cell that is as
+  // large as the scan is dense.
+  constexpr std::size_t enough = 3;
+  std::vector<CellValue> open; // tiles above, and no ceiling below them
+  for (const auto& [key, seen] : above_[room]) {
+    const Eigen::Vector2d at = tiles_.centre(cellOf(key));
+    if (plan.boundary.distance(at) > grid_.size() && ceilings_[room].count(key) == 0 &&
+        (seen.points >= enough ||
+         !isOnSlab(room, keyOf(grid_.at(at.x(), at.y())), false)))
+      open.emplace_back(key, seen.heights / static_cast<double>(seen.points) - floor);
+  }
+  const Patches pieces(open, wall_tile, 0); // however small, as between ribs
   const bool is_told =
       std::any_of(warnings.begin(), warnings.end(), [&](const PlanWarning& warning) {
         return warning.room == plan.id && warning.kind == WarningKind::CeilingOff;
@@ -201,44 +216,6 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   const PlanRoom& plan = rooms_[room].room();
   if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
-}
-
-void
-SeenSurfaces::tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const
-{
-  constexpr double most = 0.6; // of a side
-  const PlanRoom& plan = rooms_[room].room();
-  for (std::size_t d = 0; d < plan.details.size(); ++d) {
-    const PlanDetail& detail = plan.details[d];
-    double best = -1; // side, of which one or the other may be hidden
-    for (const Vertical& vertical : verticals_) {
-      const VerticalSurface& surface = vertical.surface;
-      if (surface.room != &plan || surface.part != static_cast<int>(d) ||
-          surface.kind != VerticalKind::CeilingRiser ||
-          surface.element->length() < min_strip)
-        continue;
-      double seen = 0;
-      double all = 0;
-      for (std::size_t k = 0; k < vertical.spans.size(); ++k) {
-        const auto& [low, high, unused] = vertical.spans[k];
-        all += std::max(0.0, std::floor((high - low) / off_wall) - 1);
-        seen += __builtin_popcountll(vertical.seen[k]);
-      }
-      best = all > 0 ? std::max(best, seen / all) : best;
-    }
-    const PlanElement& edge = detail.boundary.elements.front();
-    const Eigen::Vector2d at = edge.pointAt(edge.length() / 2);
-    const double drop = plan.ceiling.heightAt(at) - detail.slab.heightAt(at);
-    const double area = detail.boundary.area();
-    if (best >= 0 && best < most)
-      warnings.push_back(
-          {WarningKind::Hanging,
-           {drop > 0 ? area : plan.area() - area, std::abs(drop), 100 * best},
-           plan.id,
-           0,
-           {},
-           at});
-  }
 }
 
 void

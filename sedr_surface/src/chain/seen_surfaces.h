@@ -91,9 +91,10 @@ private:
   /** @brief A vertical surface of a room. */
   struct Vertical {
     VerticalSurface surface;
-    double tolerance;                  ///< of the points on it, metres
-    std::vector<VerticalSpan> spans;   ///< of each tile along it
-    std::vector<std::uint64_t> seen{}; ///< of each tile along it, a bit a tile upwards
+    double tolerance;                ///< of the points on it, metres
+    std::vector<VerticalSpan> spans; ///< of each tile along it
+    /** @brief Of each tile along it a bit each 5 cm, without those at both its ends. */
+    std::vector<std::uint64_t> seen{};
   };
 
   /** @brief Returns how near a point is to a vertical surface, in tolerances of it and
@@ -111,8 +112,8 @@ private:
   void tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
-  /** @brief Warns of lower parts of a ceiling of which no side up to the rest was
-   * seen but in part. */
+  /** @brief Warns of lower parts of a ceiling, clear of the walls, of which no side up
+   * to the rest was seen, if compared with the wall that was seen best. */
   void tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of what stands on the floor like a wall but ends below the ceiling:
@@ -120,8 +121,15 @@ private:
   void tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   CellGrid grid_;
+  CellGrid tiles_{wall_tile};
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
   std::vector<std::map<CellKey, float>> beyond_;     ///< heights seen beyond them
+  struct Beyond {
+    double heights = 0; ///< sum, metres
+    std::size_t points = 0;
+  };
+  std::vector<std::map<CellKey, Beyond>> above_;      ///< the ceilings, in tiles
+  std::vector<std::unordered_set<CellKey>> ceilings_; ///< tiles that show them
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;
   std::vector<Vertical> verticals_;
@@ -162,7 +170,8 @@ void tellOffWalls(const Floorplan& plan,
  * not before, which is in no other room, and ceilings that go on behind, if they make
  * up 1 % of all surfaces of the room; and what lies 5 to 15 cm before them, if it makes
  * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
- * as walls do, and are none: one warning a room.
+ * as walls do, and are none, and lower parts of a ceiling that may hang there, as no
+ * side up to the rest was seen: one warning a room for each.
  *
  * O(points + columns of the building + cells of the maps).
  * @param points thinned

@@ -133,8 +133,9 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
       const double area =
           wall.length() * (room.ceilingAt(middle) - room.floorAt(middle));
       WallShares shares = wallShares(plan, room, e);
-      if (is_any_known && !wall.evidence.isKnown() && area > 0)
-        shares = {area, 0, 0, 1}; // nobody saw it
+      const bool is_unseen = is_any_known && !wall.evidence.isKnown();
+      if (is_unseen && area > 0)
+        shares = {area, 0, 0, 1};
       if (!(shares.area > 0))
         continue;
       const double error = wall.accuracy.standard_error;

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "building_of_two_rooms.h"
-
-#include "sedr_surface/src/chain/seen_surfaces.h"
-
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include "seen_rooms.h"
 
 #include <gtest/gtest.h>
 
@@ -14,19 +9,6 @@ namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-/** @brief Returns what is not explained of a cloud. */
-std::vector<PlanWarning>
-unexplained(const Cloud& cloud,
-            const Floorplan& plan,
-            const Building& building = buildingOfTwoRooms())
-{
-  const PointView points(cloud);
-  const OpeningSearch maps(plan, points, nullptr, nullptr, OpeningParameters());
-  return unexplainedSurfaces(points, building, plan, maps);
-}
 
 TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
 {
@@ -67,37 +49,6 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, WarningKind::FloorUnseen);
   EXPECT_NEAR(found[0].values[0], 3.6 * 1.6, 0.5) << "but for the edge";
-}
-
-/** @brief Points every 5 cm on a rectangle from `corner` along `u` and `v`. */
-void
-addRectangle(const Eigen::Vector3f& corner,
-             const Eigen::Vector3f& u,
-             const Eigen::Vector3f& v,
-             Cloud& cloud)
-{
-  for (float a = 0.025F; a < u.norm(); a += 0.05F)
-    for (float b = 0.025F; b < v.norm(); b += 0.05F) {
-      const Eigen::Vector3f p = corner + a * u.normalized() + b * v.normalized();
-      cloud.push_back({p.x(), p.y(), p.z()});
-    }
-}
-
-/** @brief Returns the walls of planned(1, 0, 4), 3 m deep: what of that at x = 0 has y
- * from 1 to 2 m and z from 0.5 to 2 m lies at x = `back`. */
-Cloud
-recessedRoom(float back)
-{
-  Cloud cloud;
-  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
-  addRectangle({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
-  addRectangle({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
-  addRectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 2.5F}, cloud);
-  addRectangle({0, 2, 0}, {0, 1, 0}, {0, 0, 2.5F}, cloud);
-  addRectangle({0, 1, 0}, {0, 1, 0}, {0, 0, 0.5F}, cloud);
-  addRectangle({0, 1, 2}, {0, 1, 0}, {0, 0, 0.5F}, cloud);
-  addRectangle({back, 1, 0.5F}, {0, 1, 0}, {0, 0, 1.5F}, cloud);
-  return cloud;
 }
 
 TEST(UnexplainedSurfaces, AreSeenBehindAWall)
@@ -184,39 +135,6 @@ TEST(UnexplainedSurfaces, AreFloorAndCeilingOfASecondScanThatDoesNotFit)
   }
 }
 
-TEST(UnexplainedSurfaces, AreCoffersHoweverSmallThatThePlanDoesNotHave)
-{
-  // Coffers of 0.2 m2 between ribs of 0.15 m that the plan takes for the ceiling.
-  const Floorplan plan{{planned(1, 0, 4)}};
-  Cloud cloud = recessedRoom(0);
-  for (float x = 0.1F; x < 3.8F; x += 0.6F)
-    for (float y = 0.1F; y < 2.8F; y += 0.6F)
-      addRectangle({x, y, 2.8F}, {0.45F, 0, 0}, {0, 0.45F, 0}, cloud);
-  const auto found = unexplained(cloud, plan);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
-  EXPECT_NEAR(found[0].values[0], 7 * 5 * 0.45 * 0.45, 2) << "to a cell";
-  EXPECT_NEAR(found[0].values[1], 2.8, 1e-3);
-}
-
-TEST(UnexplainedSurfaces, AreCeilingsThatAreToldOnceAndNotAlongWalls)
-{
-  const Floorplan plan{{planned(1, 0, 4)}};
-  Cloud cloud = recessedRoom(0);
-  for (const float y : {0.0F, 2.9F}) // what lies above the ceiling at the walls
-    addRectangle({0, y, 2.8F}, {4, 0, 0}, {0, 0.1F, 0}, cloud);
-  EXPECT_TRUE(unexplained(cloud, plan).empty());
-  Building building = buildingOfTwoRooms();
-  for (RoomColumn& column : building.rooms[0].columns)
-    if ((building.grid.centre(column.cell) - Eigen::Vector2d(2, 1.5))
-            .lpNorm<Eigen::Infinity>() < 0.75)
-      column.ceiling = 2.8F;
-  addRectangle({1.25F, 0.75F, 2.8F}, {1.5F, 0, 0}, {0, 1.5F, 0}, cloud);
-  const auto found = unexplained(cloud, plan, building);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
-}
-
 TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
 {
   const Floorplan plan{{planned(1, 0, 4)}};
@@ -259,30 +177,6 @@ TEST(UnexplainedSurfaces, AreHalfWallsButNoFurniture)
         EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.8, 1.5)).norm(), 0, 0.1);
       }
     }
-}
-
-TEST(UnexplainedSurfaces, ArePartsOfACeilingThatMayHangThere)
-{
-  Floorplan plan{{planned(1, 0, 4)}};
-  plan.rooms[0].details = {sedr_test::detailOf(rectangle(1, 1, 3, 2), 2.1)};
-  for (const float top : {2.15F, 2.25F, 2.5F}) { // of the edge of what hangs
-    Cloud cloud = recessedRoom(0);
-    for (const Eigen::Vector3f& corner :
-         {Eigen::Vector3f(1, 1, 2.1F), Eigen::Vector3f(1, 2, 2.1F)})
-      addRectangle(corner, {2, 0, 0}, {0, 0, top - 2.1F}, cloud);
-    for (const float x : {1.F, 3.F})
-      addRectangle({x, 1, 2.1F}, {0, 1, 0}, {0, 0, top - 2.1F}, cloud);
-    const auto all = unexplained(cloud, plan);
-    const auto found = std::find_if(all.begin(), all.end(), [](const auto& w) {
-      return w.kind == WarningKind::Hanging;
-    });
-    ASSERT_EQ(found != all.end(), top < 2.3F) << top;
-    if (found == all.end())
-      continue;
-    EXPECT_NEAR(found->values[0], 2, 1e-6);
-    EXPECT_NEAR(found->values[1], 0.4, 1e-6);
-    EXPECT_NEAR(found->values[2], 100 * (top - 2.1F) / 0.4, 15);
-  }
 }
 
 TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)

@@ -247,6 +247,15 @@ TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
                  "folder");
   EXPECT_EQ(bytesOf(in("model/report.json")), report);
   EXPECT_FALSE(has("floorplan.json~") || has("model.ifc"));
+  for (const double other : {-1.0, 1e300}) {
+    Json wrong = reportNow();
+    wrong["warnings"] = {
+        {{"kind", "one_room"}, {"room", 1}, {"values", {3, 40, other}}}};
+    writeFile(in("model/report.json"), wrong.dump());
+    expectSentence(run(FLOORPLAN_EDIT, {model(), "--ceiling", "1=2.4"}), 1,
+                   "that is no number of a room");
+    EXPECT_FALSE(has("floorplan.json~")) << other;
+  }
   expectSentence(run(FLOORPLAN_EDIT, {in("nosuch"), "--drop", "1"}), 1,
                  "there is no folder or floor plan");
   std::filesystem::remove(in("model/report.json"));

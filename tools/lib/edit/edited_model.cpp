@@ -13,6 +13,7 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/editing/plan_edits.h"
 #include "sedr_surface/src/sheet/sheet.h"
 #include "sedr_surface/src/sheet/text_places.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -142,6 +144,10 @@ followRooms(const Untouched& untouched, PlanWarning& warning)
   warning.room = untouched.roomNow(old);
   if (warning.kind == WarningKind::OneRoom && warning.values.size() > 2) {
     double& other = warning.values[2];
+    if (!(other >= 0 && other <= std::numeric_limits<std::uint32_t>::max()))
+      throw ToolError("report.json doubts whether room " + std::to_string(old) +
+                      " and room " + numberText(other) +
+                      " are one, and that is no number of a room");
     other = untouched.roomNow(static_cast<std::uint32_t>(other));
     return warning.room != 0 && other != 0 && other != warning.room;
   }

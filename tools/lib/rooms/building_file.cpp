@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "sedr-building";
 constexpr int format_version = 6;
+constexpr int oldest_version = 5; ///< without doubts
 
 /** @brief Returns the gaps of a room: runs along x of equal ones. Each is x and y of
  * its first cell, its number of cells, the heights of floor and ceiling, to a tenth of
@@ -93,9 +94,13 @@ loadBuilding(const std::string& path)
     throw ToolError("'" + path + "' cannot be read");
   try {
     const Json json = Json::parse(stream);
-    if (json.value("format", "") != format_name ||
-        json.value("version", 0) != format_version)
-      throw ToolError("it is none that this pcl_room_segmentation writes");
+    if (json.value("format", "") != format_name)
+      throw ToolError("its format is not " + std::string(format_name));
+    const int version = json.value("version", 0);
+    if (version < oldest_version || version > format_version)
+      throw ToolError("its version is " + std::to_string(version) + ", and versions " +
+                      std::to_string(oldest_version) + " to " +
+                      std::to_string(format_version) + " are read");
     Building building;
     for (const Json& of_room : json.at("rooms")) {
       BuildingRoom& room = building.rooms.emplace_back();
@@ -113,7 +118,7 @@ loadBuilding(const std::string& path)
       of_link.at("top").get_to(link.top);
     }
     json.at("stairs").get_to(building.stairs);
-    for (const Json& of_doubt : json.at("doubts")) {
+    for (const Json& of_doubt : json.value("doubts", Json::array())) {
       RoomDoubt& doubt = building.doubts.emplace_back();
       of_doubt.at("rooms").get_to(doubt.rooms);
       of_doubt.at("at").get_to(doubt.at);

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ceilings that were seen above the plan's, and parts of it that may hang below.
+#include "seen_rooms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+TEST(UnexplainedCeilings, AreCoffersHoweverSmallThatThePlanDoesNotHave)
+{
+  // Coffers of 0.2 m2 between ribs of 0.15 m that the plan takes for the ceiling.
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  for (float x = 0.1F; x < 3.8F; x += 0.6F)
+    for (float y = 0.1F; y < 2.8F; y += 0.6F)
+      addRectangle({x, y, 2.8F}, {0.45F, 0, 0}, {0, 0.45F, 0}, cloud);
+  const auto found = unexplained(cloud, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
+  EXPECT_NEAR(found[0].values[0], 7 * 5 * 0.45 * 0.45, 2) << "to a cell";
+  EXPECT_NEAR(found[0].values[1], 2.8, 1e-3);
+}
+
+TEST(UnexplainedCeilings, AreCeilingsThatAreToldOnceAndNotAlongWalls)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  for (const float y : {0.0F, 2.9F}) // what lies above the ceiling at the walls
+    addRectangle({0, y, 2.8F}, {4, 0, 0}, {0, 0.1F, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty());
+  Building building = buildingOfTwoRooms();
+  for (RoomColumn& column : building.rooms[0].columns)
+    if ((building.grid.centre(column.cell) - Eigen::Vector2d(2, 1.5))
+            .lpNorm<Eigen::Infinity>() < 0.75)
+      column.ceiling = 2.8F;
+  addRectangle({1.25F, 0.75F, 2.8F}, {1.5F, 0, 0}, {0, 1.5F, 0}, cloud);
+  const auto found = unexplained(cloud, plan, building);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
+}
+
+TEST(UnexplainedCeilings, AreADeckBetweenJoistsButNoVoidAboveACeiling)
+{
+  // Joists of 0.1 m each 0.3 m, one in each cell of the building, which are wider.
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Building building;
+  building.grid = CellGrid(0.2);
+  Cloud joists = recessedRoom(0);
+  addRectangle({0, 0, 2.8F}, {4, 0, 0}, {0, 3, 0}, joists);
+  for (float y = 0.05F; y < 2.9F; y += 0.3F)
+    addRectangle({0, y, 2.5F}, {4, 0, 0}, {0, 0.1F, 0}, joists);
+  const auto found = unexplained(joists, plan, building);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::CeilingOff);
+  EXPECT_NEAR(found[0].values[0], 9 * 0.1 * 3.6, 0.1) << "tiles, but for the edge";
+  EXPECT_NEAR(found[0].values[1], 2.8, 1e-3);
+  for (const float step : {0.05F, 0.15F}) { // of points of ceiling and void
+    Cloud seen = recessedRoom(0);
+    addRectangle({0, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, seen, step);
+    addRectangle({0, 0, 2.8F}, {4, 0, 0}, {0, 3, 0}, seen, step - 0.01F);
+    EXPECT_TRUE(unexplained(seen, plan, building).empty()) << step;
+  }
+}
+
+/** @brief A room of 4 m x 3 m x 2.5 m with parts of its ceiling at other heights. */
+struct RoomWithParts {
+  Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud;
+  float step; ///< of its points, metres
+
+  explicit RoomWithParts(float step_of_points = 0.05F)
+      : cloud(recessedRoom(0, step_of_points))
+      , step(step_of_points)
+  {
+    addRectangle({0, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud, step);
+  }
+
+  /** @brief Adds a part of the ceiling.
+   * @param low, high of what was seen of its sides, metres */
+  void add(float x0, float y0, float x1, float y1, float z, float low, float high)
+  {
+    plan.rooms[0].details.push_back(detailOf(rectangle(x0, y0, x1, y1), z));
+    addRectangle({x0, y0, z}, {x1 - x0, 0, 0}, {0, y1 - y0, 0}, cloud, step);
+    for (const float y : {y0, y1})
+      addRectangle({x0, y, low}, {x1 - x0, 0, 0}, {0, 0, high - low}, cloud, step);
+    for (const float x : {x0, x1})
+      addRectangle({x, y0, low}, {0, y1 - y0, 0}, {0, 0, high - low}, cloud, step);
+  }
+
+  /** @brief Returns what may hang in the room. */
+  std::vector<PlanWarning> hanging() const
+  {
+    std::vector<PlanWarning> found = unexplained(cloud, plan);
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [](const PlanWarning& warning) {
+                                 return warning.kind != WarningKind::Hanging;
+                               }),
+                found.end());
+    return found;
+  }
+};
+
+TEST(UnexplainedCeilings, AreIslandsThatHangBelowACeiling)
+{
+  for (const float step : {0.05F, 0.1F})
+    for (const float drop : {0.15F, 0.2F, 0.4F}) {
+      const float z = 2.5F - drop;
+      RoomWithParts island(step);
+      island.add(1, 1, 3, 2, z, z, z + 0.05F);
+      const auto found = island.hanging();
+      const bool is_between_rows = step > 0.05F && drop < 0.2F;
+      ASSERT_EQ(found.size(), is_between_rows ? 0u : 1u)
+          << drop << " m, points each " << step << " m";
+      if (!is_between_rows) {
+        EXPECT_NEAR(found[0].values[0], 2, 1e-6);
+        EXPECT_NEAR(found[0].values[1], drop, 1e-6);
+        EXPECT_NEAR(found[0].values[2], 0, 5);
+      }
+      RoomWithParts part(step);
+      part.add(1, 1, 3, 2, z, z, 2.5F);
+      EXPECT_TRUE(part.hanging().empty()) << drop << " m, points each " << step << " m";
+    }
+  RoomWithParts island;
+  island.add(1, 1, 3, 2, 2.1F, 2.1F, 2.25F);
+  ASSERT_EQ(island.hanging().size(), 1u);
+  EXPECT_NEAR(island.hanging()[0].values[2], 100 * 0.1 / 0.3, 5)
+      << "but for 5 cm at both ends";
+}
+
+TEST(UnexplainedCeilings, HangByTheirDropToWhatIsBesideThem)
+{
+  RoomWithParts room;
+  room.add(0.5F, 0.5F, 3.5F, 2.5F, 2.3F, 2.3F, 2.5F);
+  room.add(1, 1, 3, 2, 2.05F, 2.05F, 2.1F);
+  ASSERT_EQ(room.hanging().size(), 1u);
+  EXPECT_NEAR(room.hanging()[0].values[1], 0.25, 1e-6);
+}
+
+TEST(UnexplainedCeilings, HangOnceInARoom)
+{
+  RoomWithParts room;
+  for (const float x : {0.5F, 1.5F, 2.5F})
+    room.add(x, 0.5F, x + 0.3F, x == 1.5F ? 2.5F : 2, 2.2F, 2.2F, 2.25F);
+  const auto found = room.hanging();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].values[0], 0.3 * (2 + 2 * 1.5), 1e-6);
+  EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.8, 1.5)).norm(), 0, 1e-6)
+      << "a side of the largest";
+}
+
+TEST(UnexplainedCeilings, AreNoBeamsSoffitsRibsOrRooflights)
+{
+  for (const float step : {0.05F, 0.1F})
+    for (const float seen : {0.05F, 0.3F}) {
+      RoomWithParts beam(step);
+      beam.add(1.8F, 0, 2.2F, 3, 2.2F, 2.2F, 2.2F + seen);
+      EXPECT_TRUE(beam.hanging().empty());
+      RoomWithParts soffit(step);
+      soffit.add(0, 2.4F, 4, 3, 2.2F, 2.2F, 2.2F + seen);
+      EXPECT_TRUE(soffit.hanging().empty());
+      RoomWithParts rooflight(step);
+      rooflight.add(1, 1, 3, 2, 2.8F, 2.8F - seen, 2.8F);
+      EXPECT_TRUE(rooflight.hanging().empty());
+    }
+  RoomWithParts ribs; // that end before the walls
+  for (float x = 0.5F; x < 3.5F; x += 0.6F)
+    ribs.add(x, 0.2F, x + 0.15F, 2.8F, 2.2F, 2.2F, 2.5F);
+  EXPECT_TRUE(ribs.hanging().empty());
+}
+
+} // namespace
