@@ -100,8 +100,6 @@ judge(const AirGaps& air,
   const std::vector<std::uint8_t> is_image = mirrorImages(air, parted, points, floors);
   const std::vector<std::uint8_t> is_view =
       viewsThroughPanes(air, parted, points, behind);
-  const std::vector<std::uint8_t> is_mirrored =
-      mirroredParts(air, parted, points, floors);
   const std::vector<std::uint8_t> is_entered = enteredParts(parted, of_parting);
   std::vector<Verdict> verdicts(parts.size());
   std::vector<double> levels; // floors of rooms that are large enough to make one
@@ -111,8 +109,6 @@ judge(const AirGaps& air,
     else if (is_view[p] != 0)
       verdicts[p] = {"seen only through panes of glass, or in mirrors",
                      LeftOutKind::Mirror};
-    else if (is_mirrored[p] != 0)
-      verdicts[p] = {"what a mirror shows of the room before it", LeftOutKind::Mirror};
     else
       verdicts[p] = noRoomBecause(parts[p], grid.size(), is_entered[p] != 0, parameters,
                                   of_parting);

@@ -29,14 +29,4 @@ std::vector<std::uint8_t> viewsThroughPanes(const AirGaps& air,
                                             const PointView& points,
                                             const std::vector<std::uint8_t>& behind);
 
-/** @brief Which parts of the air are what a mirror shows of a part beside them, to
- * which no air leads, not even through others: of two that look so the one of which
- * less was seen, see isReflection(). O(n) for n points, and for each such pair.
- * @param floors main floor of each part, metres
- * @return 1 for each such part */
-std::vector<std::uint8_t> mirroredParts(const AirGaps& air,
-                                        const PartedAir& parted,
-                                        const PointView& points,
-                                        const std::vector<double>& floors);
-
 } // namespace pcl::sedr
