@@ -13,6 +13,8 @@
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 
+#include <algorithm>
+
 using namespace pcl::sedr::tools;
 
 namespace {
@@ -26,6 +28,24 @@ struct Settings {
   std::string building;
   PictureFile picture;
 };
+
+/** @brief Returns the share of a room's outline that was seen, of the best seen room.
+ */
+double
+shareSeen(const pcl::sedr::Floorplan& plan)
+{
+  double most = 0;
+  for (const pcl::sedr::PlanRoom& room : plan.rooms) {
+    double seen = 0;
+    double length = 0;
+    for (const pcl::sedr::PlanElement& wall : room.boundary.elements) {
+      seen += wall.evidence.seen * wall.length();
+      length += wall.length();
+    }
+    most = std::max(most, seen / length);
+  }
+  return most;
+}
 
 int
 run(const Settings& settings, Detection& detection)
@@ -48,6 +68,8 @@ run(const Settings& settings, Detection& detection)
     if (!detection.segment(plan))
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
+  // Of four scans .53 to .95 were seen, with plans of others .21 at most.
+  requireOneFrame(shareSeen(plan), 1.0 / 3, "of the best seen outline were seen");
   writeWhole(settings.output, documentToJson(file));
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const auto& warning : linksWithoutOpening(building, plan))

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
+#include <filesystem>
 #include <utility>
 
 namespace {
@@ -108,6 +108,25 @@ TEST_F(StageByStage, ThePlanOfTwoStoreysIsThatOfPclSedr)
   EXPECT_EQ(found.openings.size(), expected.openings.size());
   ASSERT_EQ(found.storeys.size(), 2u);
   EXPECT_EQ(found.storeys[1].rooms, expected.storeys[1].rooms);
+}
+
+TEST_F(StageByStage, APlanInAnotherFrameIsRefused)
+{
+  fitPlan(twoRooms());
+  pcl::sedr::Floorplan moved = plan("floorplan.json");
+  for (pcl::sedr::PlanRoom& room : moved.rooms)
+    for (pcl::sedr::PlanElement& wall : room.boundary.elements)
+      for (Eigen::Vector2d* corner : {&wall.start, &wall.end})
+        *corner += Eigen::Vector2d(2.5, 1.2);
+  writeFile(in("moved.json"), floorplanToJson(moved));
+  expectSentence(
+      run(OPENING_DETECTION, {in("scan.pcd"), in("moved.json"), in("left.json")}), 2,
+      "in another frame");
+  expectSentence(
+      run(STRUCTURE_REFINEMENT, {in("walls.pcd"), in("moved.json"), in("left.pcd")}), 2,
+      "in another frame");
+  EXPECT_FALSE(std::filesystem::exists(in("left.json")) ||
+               std::filesystem::exists(in("left.pcd")));
 }
 
 TEST_F(StageByStage, TheFittingTellsTheDoubtsOfTheBuilding)
