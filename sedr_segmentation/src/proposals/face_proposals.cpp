@@ -187,14 +187,16 @@ private:
   }
 
   /** @brief Returns the lines through chains from a place, and the circles through
-   * those that a circle fits better. */
+   * those that a circle fits better. Chains along a curve that grew from a longer one
+   * add nothing. */
   std::vector<FaceCurve> grownFrom(std::size_t seed) const
   {
     std::vector<FaceCurve> grown;
-    for (const double half : {0.3, 0.6, 1.2}) {
+    for (const double half : {1.2, 0.6, 0.3}) {
       const std::vector<Eigen::Vector2d> chain = chainFrom(seed, half);
-      if (static_cast<double>(chain.size()) * FaceCurve::bin * places_.scale < half)
-        break;
+      if (static_cast<double>(chain.size()) * FaceCurve::bin * places_.scale < half ||
+          isAlongAny(grown, chain))
+        continue;
       const PlanCurve line = fitCurve(false, chain, places_.sigma);
       if (!mainNormalOf(line, normals_))
         addGrown(line, chain.front(), grown);
@@ -206,6 +208,15 @@ private:
         addGrown(circle, chain.front(), grown);
     }
     return grown;
+  }
+
+  /** @brief Checks whether a chain fits one of some curves as its own would. */
+  bool isAlongAny(const std::vector<FaceCurve>& curves,
+                  const std::vector<Eigen::Vector2d>& chain) const
+  {
+    return std::any_of(curves.begin(), curves.end(), [&](const FaceCurve& found) {
+      return misfitOf(found.curve, chain) < static_cast<double>(chain.size());
+    });
   }
 
   /** @brief Returns how badly a curve fits a chain, nats. */

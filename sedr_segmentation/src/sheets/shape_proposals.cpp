@@ -104,7 +104,8 @@ growFrom(std::size_t seed,
     refineShape(kind, cells.pointsOf(facet.cells, max_points), evidence.deviation,
                 facet.slab);
   }
-  found.push_back(std::move(facet));
+  if (isBuilt(facet, evidence.parameters)) // after the last refinement, too
+    found.push_back(std::move(facet));
 }
 
 /** @brief Grows shapes from windows all over the plan, but where there are some. Some

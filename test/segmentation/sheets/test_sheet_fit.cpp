@@ -86,6 +86,27 @@ TEST(FitSheet, ASteepGableNeedsNoRiserAtItsRidge)
   }
 }
 
+TEST(FitSheet, NoPlaneIsSteeperThanAPlanMayHold)
+{
+  // Hips of 2 m that steepen from 61.5 to 66.5 degrees: a plane that grows there turns.
+  const double level = tangent(61.5);
+  const double more = tangent(66.5) - level;
+  for (int seed = 1; seed <= 3; ++seed) {
+    const Scene hips = sceneOf(
+        4, 4,
+        [&](double x, double y) {
+          const double s = std::max(std::abs(x - 2 * std::floor(x / 2) - 1),
+                                    std::abs(y - 2 * std::floor(y / 2) - 1));
+          return s * (level + s / 2 * more);
+        },
+        0.02, seed);
+    for (const bool is_floor : {false, true})
+      for (const PlanSlab& facet :
+           fitted(hips, SheetParameters::of({}, is_floor)).facets)
+        EXPECT_GE(facet.plane[2], min_upward) << "seed " << seed << is_floor;
+  }
+}
+
 TEST(FitSheet, AVaultAtAnAngleToTheWallsIsOneCylinder)
 {
   const Eigen::Rotation2Dd turn(0.6);
