@@ -37,24 +37,39 @@ spacingOf(const PlanPoints& points)
   return spacings.empty() ? FaceCurve::bin : middleValue(std::move(spacings));
 }
 
+/** @brief Returns the median of what is measured at each of n places, without what is
+ * below 0; 0 without any. */
+template <typename Measure>
+double
+middleOf(std::size_t n, unsigned threads, Measure measure)
+{
+  std::vector<double> values(n);
+  parallelBlocks(n, 64, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      values[i] = measure(i);
+  });
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [](double value) { return value < 0; }),
+               values.end());
+  return values.empty() ? 0 : middleValue(std::move(values));
+}
+
 /** @brief Measures half of the width of a face, by its noise. */
 double
-halfWidth(const PlanPoints& points, double around)
+halfWidth(const PlanPoints& points, double around, unsigned threads)
 {
   constexpr double least = 0.012;
   constexpr double most = 0.045;
-  std::vector<double> scatter;
-  for (const Eigen::Vector2d& p : points.all()) {
+  const double scatter = middleOf(points.size(), threads, [&](std::size_t i) {
+    const Eigen::Vector2d& p = points.all()[i];
     PlaceSums sums; // relative: far from the origin, squares lose their digits
     points.forEachWithin(p, around, [&](const Eigen::Vector2d& q) { sums.add(q - p); });
     const Eigen::Vector2d normal = sums.normal();
-    if (sums.n >= 5)
-      scatter.push_back(
-          std::sqrt(std::max(0.0, normal.dot(sums.covariance() * normal))));
-  }
-  return scatter.empty()
-             ? least
-             : std::clamp(2.5 * middleValue(std::move(scatter)), least, most);
+    return sums.n < 5
+               ? -1
+               : std::sqrt(std::max(0.0, normal.dot(sums.covariance() * normal)));
+  });
+  return std::clamp(2.5 * scatter, least, most);
 }
 
 /** @brief Returns the normal of the narrow strip through a place that holds most of
@@ -105,7 +120,7 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given,
     ++counts[cellOf(p)];
   scale = std::max(1.0, spacingOf(points) / FaceCurve::bin);
   const double beside = 0.06 * scale; // metres
-  strip = halfWidth(points, reach * scale);
+  strip = halfWidth(points, reach * scale, threads);
   places.resize(points.size());
   parallelBlocks(places.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<Eigen::Vector2d> around;
@@ -130,8 +145,8 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given,
       place.at += offset / n * place.normal;
     }
   });
-  std::vector<double> scatter;
-  for (const FacePlace& place : places) {
+  const double scatter = middleOf(places.size(), threads, [&](std::size_t k) {
+    const FacePlace& place = places[k];
     double n = 0;
     double sum = 0;
     if (!place.normal.isZero())
@@ -142,10 +157,9 @@ FacePlaces::FacePlaces(const std::vector<Eigen::Vector2d>& given,
           sum += d * d;
         }
       });
-    if (n > 0)
-      scatter.push_back(std::sqrt(sum / n));
-  }
-  sigma = std::max(0.002, scatter.empty() ? 0 : middleValue(std::move(scatter)));
+    return n > 0 ? std::sqrt(sum / n) : -1;
+  });
+  sigma = std::max(0.002, scatter);
 }
 
 std::vector<std::pair<double, double>>
