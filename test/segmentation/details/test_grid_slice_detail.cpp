@@ -32,8 +32,8 @@ soffitRoom(double drop)
   return room;
 }
 
-struct Scene {
-  explicit Scene(const PlanRoom& room)
+struct SlicedScene {
+  explicit SlicedScene(const PlanRoom& room)
       : parts(points.room(room))
   {}
 
@@ -53,7 +53,7 @@ struct Scene {
 };
 
 Analysis
-analysisOf(const Scene& scene)
+analysisOf(const SlicedScene& scene)
 {
   Analysis analysis;
   analysis.setInputCloud(scene.points.cloud());
@@ -64,7 +64,7 @@ analysisOf(const Scene& scene)
 
 TEST(GridSliceDetail, FindsASoffitAndTellsItsFigures)
 {
-  const Scene scene(soffitRoom(0.3));
+  const SlicedScene scene(soffitRoom(0.3));
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices details;
   details.indices = {1, 2, 3};
@@ -82,7 +82,7 @@ TEST(GridSliceDetail, FindsASoffitAndTellsItsFigures)
 
 TEST(GridSliceDetail, OfAPlainRoomAreNone)
 {
-  const Scene scene(plainRoom());
+  const SlicedScene scene(plainRoom());
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices details;
   ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();
@@ -91,7 +91,7 @@ TEST(GridSliceDetail, OfAPlainRoomAreNone)
 
 TEST(GridSliceDetail, TheFloorsHeightMayBeGivenInstead)
 {
-  const Scene scene(soffitRoom(0.3));
+  const SlicedScene scene(soffitRoom(0.3));
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices by_points;
   pcl::PointIndices by_height;
@@ -110,7 +110,7 @@ TEST(GridSliceDetail, FollowsACeilingThatIsTilted)
   const double slope = std::tan(1 * M_PI / 180);
   room.ceiling = slabAt(height, slope);
   room.details[0].slab = slabAt(height - 0.3, slope);
-  const Scene scene(room);
+  const SlicedScene scene(room);
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices details;
   ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();

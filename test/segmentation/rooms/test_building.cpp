@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building_scene.h"
 
-#include "segmentation/air/stairs_scene.h"
+#include "stairs_scene.h"
 
 #include <gtest/gtest.h>
 
