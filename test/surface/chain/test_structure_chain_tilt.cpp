@@ -172,6 +172,18 @@ TEST(StructureChainTilt, WallsThatTiltByADegreeAreExact)
   }
 }
 
+TEST(StructureChainTilt, IsThatOfTheSlabsNotOfWallsOutOfPlumb)
+{
+  RoomPoints sheared(0.05, 0.003);
+  sheared.room(rectangle(0, 0, 6, 4), 0, 2.5);
+  const auto scan = sheared.cloud();
+  for (auto& p : *scan)
+    p.x += static_cast<float>(std::tan(1.5 * M_PI / 180)) * p.z;
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  EXPECT_FALSE(chain.getModel().levelling);
+}
+
 TEST(StructureChainTilt, HalfADegreeIsATolerance)
 {
   StructureChain chain;
