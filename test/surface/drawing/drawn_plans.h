@@ -127,6 +127,14 @@ scaled(double scale)
 }
 
 inline DrawingSettings
+ofCeiling(double scale = 50)
+{
+  DrawingSettings settings = scaled(scale);
+  settings.view = DrawingView::Ceiling;
+  return settings;
+}
+
+inline DrawingSettings
 sheetOf(const PlanStorey& storey)
 {
   DrawingSettings settings;

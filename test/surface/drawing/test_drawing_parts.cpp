@@ -113,15 +113,6 @@ TEST(StairDrawing, TheUndersideOfAStairIsNotDrawn)
 
 using namespace pcl::sedr;
 
-DrawingSettings
-ofCeiling()
-{
-  DrawingSettings settings;
-  settings.view = DrawingView::Ceiling;
-  settings.scale = 50;
-  return settings;
-}
-
 TEST(CeilingPlan, HasTheHeightsAndAreasOfTheSolid)
 {
   // A beam and a coffer, a roof, and a barrel vault.
