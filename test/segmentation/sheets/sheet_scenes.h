@@ -3,10 +3,6 @@
 
 #include "segmentation/plan/room_evidence.h"
 
-#include <cmath>
-#include <functional>
-#include <random>
-
 namespace sedr_test {
 
 using Height = std::function<double(double, double)>;

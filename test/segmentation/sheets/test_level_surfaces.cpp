@@ -2,13 +2,8 @@
 #include "sedr_segmentation/src/labelling/minimum_cut.h"
 #include "segmentation/plan/room_evidence.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <random>
-#include <vector>
 
 namespace {
 

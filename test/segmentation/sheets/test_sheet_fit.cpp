@@ -2,6 +2,8 @@
 // Ceilings of many shapes in plans of rooms; test/pipeline has more, from scans.
 #include "sheet_scenes.h"
 
+#include <algorithm>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -45,6 +47,22 @@ TEST(CeilingShapes, AVaultAtAnAngleToTheWallsIsOneCylinder)
   ASSERT_TRUE(room.ceiling.curve);
   EXPECT_NEAR(room.ceiling.curve->across, 4, 0.04);
   EXPECT_LT(offBy(scene, room).mean, 0.0005);
+}
+
+TEST(CeilingShapes, AVaultIsACurveThoughItsPointsWereFoundAsCeilingAndDetails)
+{
+  Scene scene = sceneOf(
+      5, 4, [](double x, double) { return 2.85 - 0.056 * std::pow(x - 2.5, 2); },
+      0.002);
+  std::vector<int>& ceiling = scene.parts.ceiling;
+  const auto lower = std::partition(ceiling.begin(), ceiling.end(),
+                                    [&](int i) { return scene.points[i].z() > 2.8F; });
+  scene.parts.details.assign(lower, ceiling.end());
+  ceiling.erase(lower, ceiling.end());
+  const PlanRoom room = fittedRoom(scene);
+  EXPECT_TRUE(room.details.empty());
+  EXPECT_TRUE(room.ceiling.curve);
+  EXPECT_LT(offBy(scene, room).beyond, 0.001);
 }
 
 TEST(CeilingShapes, AnOvalDomeIsOneEllipsoid)
