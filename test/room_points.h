@@ -15,7 +15,6 @@
 #include <memory>
 #include <numeric>
 #include <random>
-#include <vector>
 
 namespace sedr_test {
 

@@ -5,10 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <ostream>
 #include <tuple>
-#include <vector>
 
 namespace {
 

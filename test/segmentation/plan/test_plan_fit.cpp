@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "found_niches.h"
-#include "room_points.h"
-#include "sedr_filters/src/grids/cell_set.h"
 #include "sedr_segmentation/src/rooms/room_gaps.h"
 #include "two_rooms.h"
 
-#include <gtest/gtest.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace {
 

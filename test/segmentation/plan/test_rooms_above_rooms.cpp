@@ -5,11 +5,6 @@
 #include "sedr_segmentation/src/openings/opening_search.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-
 namespace {
 
 using namespace pcl::sedr;

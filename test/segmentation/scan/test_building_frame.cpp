@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_segmentation/building.h>
-
-#include <cmath>
 
 namespace {
 

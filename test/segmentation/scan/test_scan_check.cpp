@@ -8,10 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
 #include <string>
-#include <vector>
 
 namespace {
 

@@ -4,11 +4,7 @@
 #include "room_points.h"
 #include "tools/box_room.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
 
 namespace {
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <tuple>
 

@@ -5,11 +5,9 @@
 
 #include "sedr_surface/src/drawing/plan_drawing.h"
 
-#include <cmath>
 #include <map>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace sedr_test {
 

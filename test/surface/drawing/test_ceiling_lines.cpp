@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
-#include <cmath>
 #include <memory>
 
 namespace {

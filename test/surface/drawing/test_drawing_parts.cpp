@@ -9,10 +9,7 @@
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
-#include <string>
 
 namespace {
 
