@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "found_niches.h"
+#include "plan_loops.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/openings/opening_search.h"
 #include "two_storeys.h"
 
+#include <gtest/gtest.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
+
+#include <functional>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace {
 

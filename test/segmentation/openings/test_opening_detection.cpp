@@ -4,11 +4,17 @@
 #include "sedr_filters/src/rays/sight_lines.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 namespace {
