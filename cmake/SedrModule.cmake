@@ -63,19 +63,21 @@ function(sedr_add_tool name)
   install(TARGETS pcl_${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# sedr_add_test(name SOURCES ... LINK ... COST seconds) makes the GoogleTest program test_<name>. Tests
-# of the highest cost begin first, so that none of them is left alone at the end.
+# sedr_add_test(name SOURCES ... LINK ... COST seconds FIXTURE ...) makes the GoogleTest program test_<name>.
+# Tests of the highest cost begin first, so that none of them is left alone at the end.
 function(sedr_add_test name)
-  cmake_parse_arguments(ARG "" "COST" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "COST;FIXTURE" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
   sedr_set_warnings(test_${name})
   sedr_build_fast(test_${name} HEADERS test_headers BATCH 8)
   if(ARG_COST)
-    set(cost PROPERTIES COST ${ARG_COST})
+    set(properties PROPERTIES COST ${ARG_COST})
+  elseif(ARG_FIXTURE)
+    set(properties PROPERTIES FIXTURES_REQUIRED ${ARG_FIXTURE})
   endif()
-  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 ${cost})
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 ${properties})
 endfunction()
 
 # The files lie in a folder of their own: CMake looks for packages beside every bin/ of

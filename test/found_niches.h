@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 namespace sedr_test {
 
 using namespace pcl::sedr;

@@ -15,7 +15,6 @@
 #include <memory>
 #include <numeric>
 #include <random>
-#include <vector>
 
 namespace sedr_test {
 
@@ -84,20 +83,25 @@ public:
     return from(first);
   }
 
-  /** Adds a room's surfaces; `keep` selects points of walls, columns and risers. */
+  /** Adds a room's surfaces; `keep` selects points of walls, columns and risers,
+   * `keep_ceiling` and `keep_floor` places of them. */
   RoomParts room(
       const pcl::sedr::PlanRoom& room,
-      const InSpace& keep = [](const Eigen::Vector3d&) { return true; })
+      const InSpace& keep = [](const Eigen::Vector3d&) { return true; },
+      const InPlan& keep_ceiling = [](double, double) { return true; },
+      const InPlan& keep_floor = [](double, double) { return true; })
   {
     const auto isBelow = [&](int detail) {
-      return [&room, detail](double x, double y) {
-        return room.contains({x, y}) && room.detailAt({x, y}) == detail;
+      return [&, detail](double x, double y) {
+        return room.contains({x, y}) && room.detailAt({x, y}) == detail &&
+               keep_ceiling(x, y);
       };
     };
     RoomParts parts;
     const auto isAbove = [&](int detail) {
-      return [&room, detail](double x, double y) {
-        return room.contains({x, y}) && room.floorDetailAt({x, y}) == detail;
+      return [&, detail](double x, double y) {
+        return room.contains({x, y}) && room.floorDetailAt({x, y}) == detail &&
+               keep_floor(x, y);
       };
     };
     parts.floor = slab(room.boundary, room.floor, isAbove(-1));

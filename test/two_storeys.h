@@ -40,4 +40,21 @@ twoStoreys(double shift = 0)
   return plan;
 }
 
+/** A door of all kinds of parts in a wall of room 3 along x. */
+inline pcl::sedr::PlanOpening
+ajarDoor()
+{
+  pcl::sedr::PlanOpening door{
+      pcl::sedr::OpeningKind::Door, {3, 0}, {{3, 0}}, {1, -0.1}, {1.9, -0.1}, 0, 2.05};
+  door.rise = 0.2;
+  door.depth = 0.2;
+  door.hinge = pcl::sedr::OpeningHinge::End;
+  door.swing = 3;
+  door.state = pcl::sedr::OpeningState::Ajar;
+  door.confidence = 0.9;
+  door.residual = 0.003;
+  door.deviation_95 = 0.007;
+  return door;
+}
+
 } // namespace sedr_test

@@ -4,21 +4,11 @@
 #include "room_points.h"
 
 #include <pcl/pcl_base.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-#include <pcl/types.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <functional>
 #include <limits>
-#include <memory>
-#include <numeric>
 #include <optional>
-#include <random>
 #include <string>
-#include <vector>
 
 namespace contract {
 

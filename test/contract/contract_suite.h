@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cctype>
 
 // Tests of the requirements for every stage, through adaptors as described in

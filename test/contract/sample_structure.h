@@ -2,9 +2,6 @@
 #pragma once
 
 #include "contract.h"
-#include "plan_loops.h"
-
-#include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include <cstdint>
 

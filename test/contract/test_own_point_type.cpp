@@ -4,7 +4,6 @@
 
 #include <pcl/memory.h>
 #include <pcl/pcl_macros.h>
-#include <pcl/point_types.h>
 
 /** A point type for which no library has compiled classes. */
 struct EIGEN_ALIGN16 WeighedPoint {

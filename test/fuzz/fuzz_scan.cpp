@@ -9,10 +9,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstdint>
-#include <cstring>
-#include <string>
-
 namespace {
 
 using namespace pcl::sedr::tools;

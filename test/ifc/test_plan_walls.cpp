@@ -6,12 +6,10 @@
 #include <pcl/sedr_surface/floorplan_ifc.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 

@@ -7,10 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <string>
-#include <vector>
 
 // The output is checked by test_ifc_schema.py and test_ifc_web.py.
 

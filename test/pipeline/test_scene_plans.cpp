@@ -6,36 +6,31 @@
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <ostream>
 #include <string>
-#include <vector>
 
 namespace {
 
 namespace sim = pcl::sedr::sim;
 
-struct ExpectedRooms {
+struct ExpectedPlan {
   std::string scene;
-  std::size_t min_rooms;
-  std::size_t max_rooms; ///< what meets without a lintel may be one room or two
+  std::size_t rooms;
+  std::size_t walls =
+      0; ///< of one room below a ceiling of a shape; 0: not of this kind
+  std::size_t facets = 0; ///< of its ceiling besides the main one
+  double radius = 0;      ///< of their curves; 0: none
 };
 
-std::ostream&
-operator<<(std::ostream& stream, const ExpectedRooms& e)
-{
-  return stream << e.scene;
-}
-
 /** @brief The scan of a scene, and the model of it. */
-class ScenePlan : public testing::TestWithParam<ExpectedRooms> {
+class ScenePlan : public testing::TestWithParam<ExpectedPlan> {
 protected:
   void SetUp() override
   {
+    if (GetParam().walls > 0)
+      for (sim::Scanner& scanner : scene_.scanners)
+        scanner.noise = 0.01;
     chain_.setInputCloud(sim::cloudOf(scene_));
     ASSERT_TRUE(chain_.findStructure()) << chain_.getErrorMessage();
   }
@@ -55,6 +50,7 @@ protected:
                  all.mesh.labels[t] != static_cast<std::uint32_t>(sim::Label::Detail);
         }));
     EXPECT_LE(figures.truth_to_mesh->mean, 0.0005) << scene_.rooms[number - 1].name;
+    EXPECT_TRUE(chain_.getStages().extrusion.getReports()[number - 1].closed);
   }
 
   /** @brief Expects ceilings and floors of the plan at the heights of the scene, but
@@ -125,14 +121,16 @@ protected:
     EXPECT_EQ(found.size(), niches);
   }
 
-  sim::Scene scene_ = sim::sceneNamed(GetParam().scene);
+  sim::Scene scene_ =
+      sim::sceneNamed(GetParam().walls > 0 ? std::string(CEILING_SCENES) + "/" +
+                                                 GetParam().scene + ".json"
+                                           : GetParam().scene);
   pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain_;
 };
 
 TEST_P(ScenePlan, hasTheRoomsWallsHeightsAndNichesThatWereScanned)
 {
-  EXPECT_GE(plan().rooms.size(), GetParam().min_rooms);
-  EXPECT_LE(plan().rooms.size(), GetParam().max_rooms);
+  ASSERT_EQ(plan().rooms.size(), GetParam().rooms);
   double true_area = 0;
   for (const sim::Room& room : scene_.rooms)
     true_area += room.boundary.area();
@@ -147,20 +145,36 @@ TEST_P(ScenePlan, hasTheRoomsWallsHeightsAndNichesThatWereScanned)
   for (const pcl::sedr::PlanWarning& warning : chain_.getModel().warnings)
     EXPECT_TRUE(warning.kind != pcl::sedr::WarningKind::GuessedWall)
         << pcl::sedr::sentenceOf(warning);
+  if (GetParam().walls == 0)
+    return;
+  const pcl::sedr::PlanRoom& room = plan().rooms[0];
+  EXPECT_EQ(room.boundary.elements.size(), GetParam().walls);
+  EXPECT_EQ(room.details.size(), GetParam().facets);
+  for (int d = -1; d < static_cast<int>(room.details.size()); ++d)
+    if (const auto& curve = room.ceilingSlab(d).curve) {
+      EXPECT_NEAR(curve->across, GetParam().radius, 0.01 * GetParam().radius);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          ScenePlan,
-                         testing::Values(ExpectedRooms{"two_storeys", 4, 4},
-                                         ExpectedRooms{"stacked_rooms", 2, 2},
-                                         ExpectedRooms{"split_level", 4, 4},
-                                         ExpectedRooms{"atrium", 10, 10},
-                                         ExpectedRooms{"niches", 1, 1},
-                                         ExpectedRooms{"closet", 3, 3},
-                                         ExpectedRooms{"cluttered_room", 1, 1},
-                                         ExpectedRooms{"leaning_slab", 2, 2},
-                                         ExpectedRooms{"round_room", 1, 1},
-                                         ExpectedRooms{"diagonal_rooms", 2, 2}),
+                         testing::Values(ExpectedPlan{"two_storeys", 4},
+                                         ExpectedPlan{"stacked_rooms", 2},
+                                         ExpectedPlan{"split_level", 4},
+                                         ExpectedPlan{"atrium", 10},
+                                         ExpectedPlan{"niches", 1},
+                                         ExpectedPlan{"closet", 3},
+                                         ExpectedPlan{"cluttered_room", 1},
+                                         ExpectedPlan{"leaning_slab", 2},
+                                         ExpectedPlan{"round_room", 1},
+                                         ExpectedPlan{"diagonal_rooms", 2},
+                                         ExpectedPlan{"gable_attic", 1, 4, 1},
+                                         ExpectedPlan{"shed_roof", 1, 6},
+                                         ExpectedPlan{"hip_roof", 1, 4, 3},
+                                         ExpectedPlan{"barrel_vault", 1, 4, 0, 2.5},
+                                         ExpectedPlan{"segmental_vault", 1, 4, 0, 4},
+                                         ExpectedPlan{"dome", 1, 4, 1, 3},
+                                         ExpectedPlan{"jack_arches", 1, 4, 3, 1.84}),
                          [](const auto& scene) { return scene.param.scene; });
 
 } // namespace

@@ -8,12 +8,7 @@
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/in_folder.h"
 
-#include <iterator>
 #include <sstream>
 
 namespace {

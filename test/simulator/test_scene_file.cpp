@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 namespace pcl::sedr::sim::test {
 namespace {
 

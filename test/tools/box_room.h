@@ -7,11 +7,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
 
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 namespace programs {
 
 using Label = pcl::sedr::StructureLabel;

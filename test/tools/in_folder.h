@@ -5,9 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
-
 namespace programs {
 
 /** Expects the exit code and one sentence with `words`. */

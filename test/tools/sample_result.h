@@ -9,10 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 namespace programs {
 
 /** Two box rooms with 0.2 m of wall between them, and all results of a run, known in

@@ -3,13 +3,6 @@
 
 #include "box_room.h"
 #include "in_folder.h"
-#include "sample_files.h"
-
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
 
 namespace programs {
 

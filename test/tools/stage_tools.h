@@ -3,17 +3,11 @@
 
 #include "box_room.h"
 #include "in_folder.h"
-#include "sample_files.h"
 #include "tool_cloud.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace programs {
 

@@ -9,11 +9,6 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 // The output of the tools is checked by test_floorplan_outputs.py.
 
 namespace {

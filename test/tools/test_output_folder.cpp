@@ -6,22 +6,16 @@
 #include "sample_files.h"
 #include "tool_error.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <sys/types.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <functional>
 #include <set>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace {
 

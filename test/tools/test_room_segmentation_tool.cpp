@@ -4,10 +4,6 @@
 #include "stage_tools.h"
 #include "tool_error.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
 #include "tools/in_folder.h"
-#include "tools/sample_files.h"
 #include "tools/scans/room_scan_files.h"
 
 #include <nlohmann/json.hpp>
 
 #include <pcl/io/pcd_io.h>
 
-#include <gtest/gtest.h>
-
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <random>
-#include <sstream>
 #include <thread>
 
 namespace {

@@ -2,16 +2,12 @@
 #include "box_room.h"
 #include "in_folder.h"
 #include "option_help.h"
-#include "sample_files.h"
 #include "tool_cloud.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <nlohmann/json.hpp>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 

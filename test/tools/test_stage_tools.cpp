@@ -4,7 +4,6 @@
 #include "stage_tools.h"
 #include "tool_error.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace {

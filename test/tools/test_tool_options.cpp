@@ -56,18 +56,39 @@ struct SampleOptions {
   }
 };
 
-TEST(ToolOptions, ReadNumbersTextsFlagsAndFilesAnywhere)
+TEST(ToolOptions, AreReadAnywhereAfterOneDashOrTwo)
 {
+  for (const bool is_short : {false, true}) {
+    SampleOptions sample;
+    std::vector<const char*> arguments{"--leaf",     "0.1",      "in.pcd",
+                                       "--steps=-4", "--height", "-1.5",
+                                       "--mode",     "manual",   "--fast"};
+    for (const char*& argument : arguments)
+      argument += is_short && argument[1] == '-' ? 1 : 0;
+    ASSERT_TRUE(sample.parse(arguments));
+    EXPECT_EQ(sample.input, "in.pcd");
+    EXPECT_EQ(sample.leaf, 0.1f);
+    EXPECT_EQ(sample.threads, 0u);
+    EXPECT_EQ(sample.steps, -4);
+    EXPECT_EQ(sample.height, -1.5);
+    EXPECT_EQ(sample.mode, "manual");
+    EXPECT_TRUE(sample.fast);
+  }
+}
+
+TEST(ToolOptions, AnswerWithHelpOrVersion)
+{
+  for (const char* asked : {"-h", "-help", "--help"}) {
+    SampleOptions sample;
+    EXPECT_FALSE(sample.parse({asked, "--leaf", "nonsense"}));
+    for (const char* told :
+         {"edge of a voxel [m] (above 0; default 0.05)", "(from -5 to 5; default 3)",
+          "(default measured)", "pcl_sample INPUT [options]"})
+      EXPECT_NE(sample.options.answer().find(told), std::string::npos) << told;
+  }
   SampleOptions sample;
-  ASSERT_TRUE(sample.parse({"--leaf", "0.1", "in.pcd", "--steps=-4", "--height", "-1.5",
-                            "--mode", "manual", "--fast"}));
-  EXPECT_EQ(sample.input, "in.pcd");
-  EXPECT_EQ(sample.leaf, 0.1f);
-  EXPECT_EQ(sample.threads, 0u);
-  EXPECT_EQ(sample.steps, -4);
-  EXPECT_EQ(sample.height, -1.5);
-  EXPECT_EQ(sample.mode, "manual");
-  EXPECT_TRUE(sample.fast);
+  EXPECT_FALSE(sample.parse({"--version"}));
+  EXPECT_EQ(sample.options.answer().rfind("pcl_sample (SEDR) ", 0), 0u);
 }
 
 TEST(PlainText, EscapesWhatCannotBePrintedAndCutsWhatIsLong)
@@ -86,65 +107,32 @@ TEST(PlainText, EscapesWhatCannotBePrintedAndCutsWhatIsLong)
   EXPECT_EQ(quotedWord(std::string(100, 'a')), "'" + std::string(40, 'a') + "...'");
 }
 
-TEST(ToolOptions, MayBeginWithOneDash)
-{
-  SampleOptions sample;
-  ASSERT_TRUE(sample.parse(
-      {"-leaf", "0.1", "in.pcd", "-steps=-4", "-height", "-1.5", "-fast"}));
-  EXPECT_EQ(sample.leaf, 0.1f);
-  EXPECT_EQ(sample.steps, -4);
-  EXPECT_EQ(sample.height, -1.5);
-  EXPECT_TRUE(sample.fast);
-  EXPECT_FALSE(SampleOptions().parse({"-h"}));
-  EXPECT_FALSE(SampleOptions().parse({"-help"}));
-  EXPECT_NE(SampleOptions().refusal({"in.pcd", "-slow"}), "");
-}
-
-TEST(ToolOptions, HelpShowsUnitsRangesAndTheDefaultsOfTheVariables)
-{
-  SampleOptions sample;
-  EXPECT_FALSE(sample.parse({"-h"}));
-  EXPECT_FALSE(sample.parse({"--version"}));
-  EXPECT_EQ(sample.options.answer().rfind("pcl_sample (SEDR) ", 0), 0u);
-  EXPECT_FALSE(sample.parse({"--help", "--leaf", "nonsense"}));
-  const std::string help = sample.options.answer();
-  EXPECT_NE(help.find("edge of a voxel [m] (above 0; default 0.05)"), std::string::npos)
-      << help;
-  EXPECT_NE(help.find("(from -5 to 5; default 3)"), std::string::npos) << help;
-  EXPECT_NE(help.find("(default measured)"), std::string::npos) << help;
-  EXPECT_NE(help.find("pcl_sample INPUT [options]"), std::string::npos) << help;
-}
-
 TEST(ToolOptions, RefuseEachMistakeWithASentenceThatNamesIt)
 {
-  SampleOptions sample;
-  EXPECT_NE(sample.refusal({}).find("INPUT is missing"), std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "b"}).find("'b'"), std::string::npos);
-  EXPECT_NE(
-      sample.refusal({"a", "--leaf", "0"}).find("--leaf must be above 0 m, not 0"),
-      std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--leaf", "-1"}).find("not -1"), std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--leaf", "nan"}).find("'nan'"), std::string::npos);
-  EXPECT_EQ(sample.refusal({"a", "--title",
-                            "K\xc3\xbc"
-                            "che"}),
-            "");
-  EXPECT_EQ(SampleOptions().refusal({"a", "--title", "K\xfc"}),
-            "--title takes printable text in UTF-8, not 'K\\xfc'");
-  EXPECT_NE(sample.refusal({"a", "--leaf", "1cm"}).find("'1cm'"), std::string::npos);
-  for (const std::vector<const char*>& wrong :
-       {std::vector<const char*>{"a", "--leaf"}, {"a", "--leaf", "1", "--leaf", "2"}})
-    EXPECT_NE(sample.refusal(wrong).find("--leaf"), std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--threads", "-1"}).find("-1"), std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--threads", "1.5"}).find("whole number"),
-            std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--threads", "99999999999"}), "");
-  EXPECT_NE(sample.refusal({"a", "--steps", "6"}).find("from -5 to 5"),
-            std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--mode", "soon"}).find("auto, manual"),
-            std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--lea", "1"}).find("--lea"), std::string::npos);
-  EXPECT_NE(sample.refusal({"a", "--fast=yes"}), "");
+  for (const auto& [arguments, told] :
+       std::vector<std::pair<std::vector<const char*>, std::string>>{
+           {{}, "INPUT is missing"},
+           {{"a", "b"}, "'b'"},
+           {{"a", "--leaf", "0"}, "--leaf must be above 0 m, not 0"},
+           {{"a", "--leaf", "-1"}, "not -1"},
+           {{"a", "--leaf", "nan"}, "'nan'"},
+           {{"a", "--leaf", "1cm"}, "'1cm'"},
+           {{"a", "--leaf"}, "--leaf"},
+           {{"a", "--leaf", "1", "--leaf", "2"}, "--leaf"},
+           {{"a", "--title", "K\xfc"},
+            "--title takes printable text in UTF-8, not 'K\\xfc'"},
+           {{"a", "--threads", "-1"}, "-1"},
+           {{"a", "--threads", "1.5"}, "whole number"},
+           {{"a", "--threads", "99999999999"}, "--threads"},
+           {{"a", "--steps", "6"}, "from -5 to 5"},
+           {{"a", "--mode", "soon"}, "auto, manual"},
+           {{"a", "--lea", "1"}, "--lea"},
+           {{"a", "-slow"}, "-slow"},
+           {{"a", "--fast=yes"}, "--fast"}}) {
+    const std::string refusal = SampleOptions().refusal(arguments);
+    EXPECT_NE(refusal.find(told), std::string::npos) << refusal;
+  }
+  EXPECT_EQ(SampleOptions().refusal({"a", "--title", "K\xc3\xbc"}), "");
 }
 
 } // namespace

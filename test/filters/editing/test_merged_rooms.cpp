@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace {
 

@@ -9,7 +9,6 @@
 #include <pcl/sedr_filters/plan_warning.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace {

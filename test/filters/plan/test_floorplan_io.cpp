@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
+#include "two_storeys.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -48,17 +47,7 @@ samplePlan()
   for (const double x : {5.0, 5.25, 5.5, 5.75})
     flight.risers.push_back({Eigen::Vector2d(x, 1), Eigen::Vector2d(x, 0)});
   plan.stairs[0].flights = {flight};
-  PlanOpening door{OpeningKind::Door, {3, 0}, {{3, 0}}, {1, -0.1},
-                   {1.9, -0.1},       0,      2.05};
-  door.rise = 0.2;
-  door.depth = 0.2;
-  door.hinge = OpeningHinge::End;
-  door.swing = 3;
-  door.state = OpeningState::Ajar;
-  door.confidence = 0.9;
-  door.residual = 0.003;
-  door.deviation_95 = 0.007;
-  plan.openings = {door};
+  plan.openings = {ajarDoor()};
   return plan;
 }
 

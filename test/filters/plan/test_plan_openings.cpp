@@ -14,24 +14,8 @@ namespace {
 Floorplan
 planWithADoor()
 {
-  Floorplan plan;
-  plan.rooms = {sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5, 3)};
-  PlanOpening door;
-  door.kind = OpeningKind::Door;
-  door.rooms = {3, 0};
-  door.walls = {{3, 0}};
-  door.start = Eigen::Vector2d(1, -0.1);
-  door.end = Eigen::Vector2d(1.9, -0.1);
-  door.top = 2.05;
-  door.rise = 0.2;
-  door.depth = 0.2;
-  door.hinge = OpeningHinge::End;
-  door.swing = 3;
-  door.state = OpeningState::Ajar;
-  door.confidence = 0.9;
-  door.residual = 0.003;
-  door.deviation_95 = 0.007;
-  plan.openings = {door};
+  Floorplan plan{{sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5, 3)}};
+  plan.openings = {sedr_test::ajarDoor()};
   return plan;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
 #include "room_points.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "two_storeys.h"
@@ -9,8 +8,6 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
-#include <cmath>
-#include <memory>
 #include <string>
 
 namespace {

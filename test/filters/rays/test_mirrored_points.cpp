@@ -5,10 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
-#include <random>
-
 namespace {
 
 using namespace sedr_test;

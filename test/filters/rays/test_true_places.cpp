@@ -8,10 +8,6 @@
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
 #include <utility>
 #include <vector>
 

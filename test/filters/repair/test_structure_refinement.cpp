@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
 #include "room_points.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +7,6 @@
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
-#include <cmath>
 #include <map>
 
 namespace {

@@ -6,14 +6,7 @@
 
 #include <pcl/sedr_filters/plan_editor.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <vector>
 
 namespace {
 

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace {
@@ -32,8 +30,8 @@ soffitRoom(double drop)
   return room;
 }
 
-struct Scene {
-  explicit Scene(const PlanRoom& room)
+struct SlicedScene {
+  explicit SlicedScene(const PlanRoom& room)
       : parts(points.room(room))
   {}
 
@@ -53,7 +51,7 @@ struct Scene {
 };
 
 Analysis
-analysisOf(const Scene& scene)
+analysisOf(const SlicedScene& scene)
 {
   Analysis analysis;
   analysis.setInputCloud(scene.points.cloud());
@@ -64,7 +62,7 @@ analysisOf(const Scene& scene)
 
 TEST(GridSliceDetail, FindsASoffitAndTellsItsFigures)
 {
-  const Scene scene(soffitRoom(0.3));
+  const SlicedScene scene(soffitRoom(0.3));
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices details;
   details.indices = {1, 2, 3};
@@ -82,7 +80,7 @@ TEST(GridSliceDetail, FindsASoffitAndTellsItsFigures)
 
 TEST(GridSliceDetail, OfAPlainRoomAreNone)
 {
-  const Scene scene(plainRoom());
+  const SlicedScene scene(plainRoom());
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices details;
   ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();
@@ -91,7 +89,7 @@ TEST(GridSliceDetail, OfAPlainRoomAreNone)
 
 TEST(GridSliceDetail, TheFloorsHeightMayBeGivenInstead)
 {
-  const Scene scene(soffitRoom(0.3));
+  const SlicedScene scene(soffitRoom(0.3));
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices by_points;
   pcl::PointIndices by_height;
@@ -110,7 +108,7 @@ TEST(GridSliceDetail, FollowsACeilingThatIsTilted)
   const double slope = std::tan(1 * M_PI / 180);
   room.ceiling = slabAt(height, slope);
   room.details[0].slab = slabAt(height - 0.3, slope);
-  const Scene scene(room);
+  const SlicedScene scene(room);
   Analysis analysis = analysisOf(scene);
   pcl::PointIndices details;
   ASSERT_TRUE(analysis.segment(details)) << analysis.getErrorMessage();

@@ -4,15 +4,12 @@
 #include "room_points.h"
 #include "sedr_filters/src/grids/cell_set.h"
 
-#include <pcl/point_types.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace sedr_test {
 

@@ -4,10 +4,6 @@
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 #include "sedr_segmentation/src/sheets/sheet_relief.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <ostream>
 
 namespace {
@@ -194,47 +190,6 @@ TEST(FloorPoints, OfABedBehindAChestBesideAPlatformOfItsHeightAreNone)
       floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {});
   EXPECT_GT(floor.size(), last * 9 / 10); // all but the chest
   EXPECT_LT(floor.back(), ends[last]);
-}
-
-constexpr double width = 5;
-constexpr double crown = 2.85;
-constexpr double rise = 0.35;
-
-/** Returns the height of a vault along y in a room of 5 m x 4 m. */
-double
-vaultAt(double x)
-{
-  return crown - rise * std::pow((x - width / 2) / (width / 2), 2);
-}
-
-/** Returns the fitted room; the main ceiling is within 5 cm of the crown. */
-PlanRoom
-vaultedRoom()
-{
-  RoomPoints points(0.05, 0.002);
-  RoomParts parts;
-  parts.floor = points.slab(rectangle(0, 0, width, 4), 0);
-  for (const auto& e : rectangle(0, 0, width, 4).elements)
-    parts.walls =
-        joined(parts.walls,
-               points.wall(e, 0, std::min(vaultAt(e.start.x()), vaultAt(e.end.x()))));
-  for (double y = 0.025; y < 4; y += 0.05)
-    for (double x = 0.025; x < width; x += 0.05) {
-      const double z = vaultAt(x);
-      (z > crown - 0.05 ? parts.ceiling : parts.details)
-          .push_back(points.point(x, y, z));
-    }
-  return fitted(points, parts);
-}
-
-TEST(VaultedRoom, AVaultIsACurveThoughItsPointsWereFoundAsCeilingAndDetails)
-{
-  const PlanRoom room = vaultedRoom();
-  EXPECT_TRUE(room.details.empty());
-  ASSERT_TRUE(room.ceiling.curve);
-  for (double x = 0.1; x < width - 0.05; x += 0.1)
-    for (double y = 0.1; y < 3.95; y += 0.1)
-      EXPECT_NEAR(room.ceilingAt({x, y}), vaultAt(x), 0.01) << x << ' ' << y;
 }
 
 /** Until the walls are adjusted a room has its ceiling as a relief. */

@@ -3,8 +3,6 @@
 
 #include <pcl/sedr_filters/point_types.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace {

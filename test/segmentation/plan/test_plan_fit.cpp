@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "found_niches.h"
-#include "room_points.h"
-#include "sedr_filters/src/grids/cell_set.h"
 #include "sedr_segmentation/src/rooms/room_gaps.h"
 #include "two_rooms.h"
 
-#include <gtest/gtest.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -156,13 +149,11 @@ TEST(FitPlan, ACorridorGoesOnWhereItsCeilingWasHardlySeen)
   RoomPoints points(0.05, 0.003);
   PlanEvidence evidence;
   const PlanLoop corridor = rectangle(0.01, 0.01, 12.01, 1.91);
-  RoomParts parts;
-  parts.floor = points.slab(corridor, 0);
-  parts.ceiling = points.slab(corridor, 2.5, [](double x, double) {
-    return x < 5.76 || x > 6.26 || std::abs(x - 6.01) < 0.03;
-  });
-  for (const PlanElement& wall : corridor.elements)
-    parts.walls = joined(parts.walls, points.wall(wall, 0, 2.5));
+  const RoomParts parts = points.room(
+      roomOf(corridor, 2.5), [](const Eigen::Vector3d&) { return true; },
+      [](double x, double) {
+        return x < 5.76 || x > 6.26 || std::abs(x - 6.01) < 0.03;
+      });
   addRoom(points, parts, 1, evidence);
   std::uint32_t number = 1;
   for (const double y : {-3.09, 2.01})
@@ -187,12 +178,8 @@ TEST(FitPlan, AFacadeOfGlassIsWhereTheCeilingEnds)
   corners.insert(corners.end(), {{20.01, 0.01}, {20.01, 8.01}});
   const PlanLoop hall = polygon(corners);
   RoomPoints points(0.05, 0.003);
-  RoomParts parts;
-  parts.floor = points.slab(hall, 0);
-  parts.ceiling = points.slab(hall, 2.5);
-  for (const PlanElement& wall : hall.elements)
-    if ((wall.start + wall.end).y() < 16)
-      parts.walls = joined(parts.walls, points.wall(wall, 0, 2.5));
+  const RoomParts parts = points.room(
+      roomOf(hall, 2.5), [](const Eigen::Vector3d& p) { return p.y() < 8; });
   PlanEvidence evidence;
   addRoom(points, parts, 1, evidence);
   std::vector<PlanWarning> warnings;

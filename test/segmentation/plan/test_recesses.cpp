@@ -75,22 +75,36 @@ fittedAbove(double sill,
 const RoomPoints::OnWall all_of_it = [](double, double) { return true; };
 const RoomPoints::OnWall nothing = [](double, double) { return false; };
 
-TEST(Recesses, AboveASillAreNoPartOfThePlan)
+TEST(Recesses, ArePartsOfTheRoomFromFloorToCeilingOrIfDeepAndClosedElseNot)
 {
-  for (const double sill : {0.45, 0.9}) {
-    const PlanRoom room = fittedAbove(sill, 0.25, all_of_it);
-    EXPECT_EQ(room.boundary.elements.size(), 4u) << sill;
-    EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << sill;
-    EXPECT_TRUE(room.niches.empty()) << "a blind may be as deep";
-  }
-}
-
-TEST(Recesses, NextToACornerAndBehindFurnitureNeither)
-{
-  for (const double end : {3.5, 5.0}) {
-    const PlanRoom room = fittedAbove(0.9, 0.25, all_of_it, false, end, 0.55);
-    EXPECT_EQ(room.boundary.elements.size(), 4u) << end;
-    EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << end;
+  const auto isFrame = [](double s, double z) {
+    return s < 0.1 || s > 1.9 || std::abs(s - 1) < 0.05 || z < 0.55 || z > 2.5;
+  };
+  struct Case {
+    const char* what;
+    double sill, depth;
+    RoomPoints::OnWall isSeen;
+    bool is_part = false;
+    double end = 3.5, hidden = 0; ///< of fittedAbove()
+  };
+  for (const Case& c :
+       std::vector<Case>{{"low sill", 0.45, 0.25, all_of_it},
+                         {"a blind may be as deep", 0.9, 0.25, all_of_it},
+                         {"behind furniture", 0.9, 0.25, all_of_it, false, 3.5, 0.55},
+                         {"next to a corner and behind furniture", 0.9, 0.25, all_of_it,
+                          false, 5, 0.55},
+                         {"a window of which the frame is seen", 0.45, 0.25, isFrame},
+                         {"one sees through it", 0, 0.35, nothing},
+                         {"from floor to ceiling", 0, 0.25, all_of_it, true},
+                         {"deep, from floor to ceiling", 0, 0.5, all_of_it, true}}) {
+    SCOPED_TRACE(c.what);
+    const PlanRoom room =
+        fittedAbove(c.sill, c.depth, c.isSeen, false, c.end, c.hidden);
+    EXPECT_EQ(room.boundary.elements.size(), c.is_part ? 8u : 4u);
+    EXPECT_LT(cornerError(room.boundary,
+                          c.is_part ? withRecess(c.depth) : rectangle(0, 0, 5, 4)),
+              0.01);
+    EXPECT_TRUE(room.niches.empty());
   }
 }
 
@@ -105,14 +119,9 @@ TEST(Recesses, BesidePilastersNeither)
                                   {1.2, 3.66},
                                   {0, 3.66}});
   RoomPoints points(0.07, 0.003);
-  RoomParts parts;
-  parts.floor = points.slab(walls, 0);
-  parts.ceiling = points.slab(walls, 2.6);
-  for (std::size_t i = 0; i < walls.elements.size(); ++i)
-    parts.walls = joined(
-        parts.walls, points.wall(walls.elements[i], 0, 2.6, [&](double s, double z) {
-          return i != 4 || z < 0.9 || (s > 1.1 && s < 2.1);
-        }));
+  RoomParts parts = points.room(roomOf(walls, 2.6), [](const Eigen::Vector3d& p) {
+    return p.y() < 3.97 || p.z() < 0.9 || (p.x() > 2.3 && p.x() < 3.3);
+  });
   for (const double left : {1.2, 3.3}) { // windows, with blinds in them
     const PlanLoop bay = rectangle(left, 4, left + 1.1, 4.25);
     parts.ceiling = joined(parts.ceiling, points.slab(bay, 2.6));
@@ -133,14 +142,10 @@ TEST(Recesses, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
   const PlanLoop walls = rectangle(0, 0, 6, 4);
   const PlanLoop bay = rectangle(0.12, 4, 5.88, 4.2);
   RoomPoints points(0.04, 0.003);
-  RoomParts parts;
-  parts.floor = points.slab(walls, 0);
-  parts.ceiling = joined(points.slab(walls, 2.6), points.slab(bay, 2.6));
-  for (std::size_t i = 0; i < walls.elements.size(); ++i)
-    parts.walls = joined(
-        parts.walls, points.wall(walls.elements[i], 0, 2.6, [&](double s, double z) {
-          return i != 2 || z < 0.5 || s < 0.12 || s > 5.88;
-        }));
+  RoomParts parts = points.room(roomOf(walls, 2.6), [](const Eigen::Vector3d& p) {
+    return p.y() < 3.97 || p.z() < 0.5 || p.x() < 0.12 || p.x() > 5.88;
+  });
+  parts.ceiling = joined(parts.ceiling, points.slab(bay, 2.6));
   for (const std::size_t side : {1, 3})
     parts.walls = joined(parts.walls, points.wall(bay.elements[side], 0.5, 2.6));
   Fitting fitting;
@@ -183,15 +188,6 @@ TEST(Recesses, NorAreThoseOfBlindsJustBehindTheWall)
     }
 }
 
-TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
-{
-  const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {
-    return s < 0.1 || s > 1.9 || std::abs(s - 1) < 0.05 || z < 0.55 || z > 2.5;
-  });
-  EXPECT_EQ(room.boundary.elements.size(), 4u);
-  EXPECT_TRUE(room.niches.empty());
-}
-
 TEST(Recesses, ASoffitThatGoesOnIntoThemEndsAtTheWall)
 {
   const PlanRoom room = fittedAbove(0.9, 0.25, all_of_it, true);
@@ -207,22 +203,6 @@ TEST(Recesses, DeepOnesWithAnOpaqueBackArePartOfTheRoom)
   const PlanRoom room = fittedAbove(0.9, 0.5, all_of_it, true);
   EXPECT_EQ(room.boundary.elements.size(), 8u);
   EXPECT_LT(cornerError(room.boundary, withRecess(0.5)), 0.01);
-}
-
-TEST(Recesses, NorAreThoseThatOneSeesThrough)
-{
-  const PlanRoom room = fittedAbove(0, 0.35, nothing);
-  EXPECT_EQ(room.boundary.elements.size(), 4u);
-  EXPECT_TRUE(room.niches.empty());
-}
-
-TEST(Recesses, FromFloorToCeilingTheyArePartsOfIt)
-{
-  for (const double depth : {0.25, 0.5}) {
-    const PlanRoom room = fittedAbove(0, depth, all_of_it);
-    EXPECT_EQ(room.boundary.elements.size(), 8u) << depth;
-    EXPECT_LT(cornerError(room.boundary, withRecess(depth)), 0.01) << depth;
-  }
 }
 
 // What stands before walls, ends below the ceiling, or was not seen.
@@ -291,58 +271,21 @@ TEST(WallEvidence, APartOfAWallThatStandsForwardUpToTheCeilingStays)
 
 constexpr double height = 2.5;
 
-/** A room of 4 m x 3 m with a box of 2 m x 0.6 m at its left wall, up to `top`. The
- * ceiling above it is seen for `depth` metres. */
-struct WardrobeRoom {
-  WardrobeRoom(double top, double depth)
-  {
-    const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
-    const auto isHidden = [](double x, double y) { return x < 0.61 && y < 2.01; };
-    parts.floor =
-        points.slab(loop, 0, [&](double x, double y) { return !isHidden(x, y); });
-    for (const auto& e : loop.elements)
-      parts.walls =
-          joined(parts.walls, points.wall(e, 0, height, [&](double s, double) {
-            const Eigen::Vector2d p = e.pointAt(s);
-            return !isHidden(p.x(), p.y());
-          }));
-    parts.ceiling = points.slab(loop, height, [&](double x, double y) {
-      return !(x < 0.61 - depth && y < 2.01 - depth);
-    });
-    box = joined(points.wall(segment({0.61, 2.01}, {0.61, 0.01}), 0, top),
-                 points.wall(segment({0.01, 2.01}, {0.61, 2.01}), 0, top));
-  }
-
-  RoomPoints points;
-  RoomParts parts;
-  std::vector<int> box;
-};
-
-/** A room of 4 m x 3 m with a box 5 cm below the ceiling, which is seen above the box
- * if `is_seen_above`. */
-struct BoxRoom {
-  BoxRoom(const PlanLoop& box, bool is_seen_above)
-  {
-    const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
-    parts.floor = points.slab(loop, 0);
-    for (const auto& e : loop.elements)
-      parts.walls = joined(parts.walls, points.wall(e, 0, height));
-    for (const auto& e : box.elements)
-      parts.walls = joined(parts.walls, points.wall(e, 0, height - 0.05));
-    parts.ceiling = points.slab(loop, height, [&](double x, double y) {
-      return is_seen_above || !box.contains({x, y});
-    });
-  }
-
-  RoomPoints points;
-  RoomParts parts;
-};
-
 TEST(WallEvidence, ACabinetAboveWhichTheCeilingIsSeenIsNoColumn)
 {
+  const PlanLoop box =
+      rectangle(1.61, 1.11, 2.41, 1.91); // up to 5 cm below the ceiling
   for (const bool is_cabinet : {true, false}) {
-    const BoxRoom scene(rectangle(1.61, 1.11, 2.41, 1.91), is_cabinet);
-    const PlanRoom room = fitted(scene.points, scene.parts);
+    RoomPoints points;
+    RoomParts parts = points.room(
+        roomOf(rectangle(0.01, 0.01, 4.01, 3.01), height),
+        [](const Eigen::Vector3d&) { return true; },
+        [&](double x, double y) {
+          return is_cabinet || !box.contains({x, y});
+        });
+    for (const auto& e : box.elements)
+      parts.walls = joined(parts.walls, points.wall(e, 0, height - 0.05));
+    const PlanRoom room = fitted(points, parts);
     EXPECT_EQ(room.columns.size(), is_cabinet ? 0U : 1U);
     EXPECT_EQ(room.boundary.elements.size(), 4u);
   }
@@ -350,15 +293,26 @@ TEST(WallEvidence, ACabinetAboveWhichTheCeilingIsSeenIsNoColumn)
 
 TEST(WallEvidence, AWardrobeThatEndsBelowTheCeilingIsNoWall)
 {
+  // Of 2 m x 0.6 m at the left wall; the ceiling above it is seen for 12 cm.
+  const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
+  const auto isSeen = [](double x, double y) { return x > 0.61 || y > 2.01; };
   for (const double gap : {0.1, 0.3, 0.6}) {
-    const WardrobeRoom scene(height - gap, 0.12);
-    PlanEvidence evidence = evidenceOf(scene.points, scene.parts);
-    evidence.walls = joined(evidence.walls, scene.box); // as wall growing labels it
-    const PlanRoom room = fitted(scene.points, evidence);
+    RoomPoints points;
+    const RoomParts parts = points.room(
+        roomOf(loop, height),
+        [&](const Eigen::Vector3d& p) { return isSeen(p.x(), p.y()); },
+        [](double x, double y) { return x > 0.49 || y > 1.89; }, isSeen);
+    PlanEvidence evidence = evidenceOf(points, parts);
+    for (const auto& [a, b] :
+         {std::pair(Eigen::Vector2d(0.61, 2.01), Eigen::Vector2d(0.61, 0.01)),
+          {{0.01, 2.01}, {0.61, 2.01}}}) // as wall growing labels it
+      evidence.walls =
+          joined(evidence.walls, points.wall(segment(a, b), 0, height - gap));
+    evidence.all = points.all();
+    const PlanRoom room = fitted(points, evidence);
     EXPECT_TRUE(room.columns.empty());
     EXPECT_EQ(room.boundary.elements.size(), 4u) << gap;
-    EXPECT_LT(cornerError(room.boundary, rectangle(0.01, 0.01, 4.01, 3.01)), 0.01)
-        << gap;
+    EXPECT_LT(cornerError(room.boundary, loop), 0.01) << gap;
   }
 }
 

@@ -89,46 +89,6 @@ TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
   EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.003);
 }
 
-TEST(FitRoom, ASoffitOfFiveCentimetresIsADetail)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.45)};
-  const PlanRoom room = fitted(truth, 0.002);
-  ASSERT_EQ(room.details.size(), 1u);
-  EXPECT_NEAR(room.details[0].slab.heightAt({4, 2}), 2.45, 0.002);
-  EXPECT_NEAR(room.details[0].boundary.area(), 4.4, 0.1);
-}
-
-TEST(FitRoom, APanelOfFiveCentimetresIsNoDetail)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.31), 2.45)};
-  EXPECT_TRUE(fitted(truth, 0.002).details.empty());
-}
-
-TEST(FitRoom, SmallCoffersOfThreeAndFiveCentimetresAreDetails)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  truth.details = {detailOf(rectangle(1.01, 1.01, 1.61, 2.21), 2.53),
-                   detailOf(rectangle(3.01, 1.01, 3.61, 2.21), 2.55)};
-  const PlanRoom room = fitted(truth, 0.002);
-  EXPECT_EQ(room.details.size(), 2u);
-  EXPECT_NEAR(room.ceilingAt({1.3, 1.6}), 2.53, 0.002);
-  EXPECT_NEAR(room.ceilingAt({3.3, 1.6}), 2.55, 0.002);
-}
-
-TEST(FitRoom, ALampBelowTheCeilingIsNoDetailButWhatStartsFromAWallIs)
-{
-  for (const double drop : {0.08, 0.12}) {
-    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-    truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.61), 2.5 - drop),
-                     detailOf(rectangle(0.01, 3.01, 0.61, 4.01), 2.5 - drop)};
-    const PlanRoom room = fitted(truth, 0.002);
-    ASSERT_EQ(room.details.size(), 1u) << drop;
-    EXPECT_TRUE(room.details[0].contains({0.3, 3.5})) << drop;
-  }
-}
-
 TEST(FitRoom, ASoffitAllAroundHasAHole)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);
@@ -142,17 +102,6 @@ TEST(FitRoom, ASoffitAllAroundHasAHole)
   EXPECT_LT(cornerError(room.details[0].boundary, truth.boundary), 0.003);
   EXPECT_NEAR(room.ceilingAt({3, 2}), 2.6, 0.002);
   EXPECT_NEAR(room.ceilingAt({0.3, 2}), 2.3, 0.002);
-}
-
-TEST(FitRoom, ARecessIsADetailAboveTheCeiling)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  truth.details = {detailOf(rectangle(1.51, 1.01, 3.51, 2.51), 2.75)};
-  const PlanRoom room = fitted(truth, 0.002);
-  ASSERT_EQ(room.details.size(), 1u);
-  EXPECT_NEAR(room.details[0].slab.heightAt({2, 2}), 2.75, 0.002);
-  EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
-  EXPECT_NEAR(room.details[0].boundary.area(), 3, 0.05);
 }
 
 /** 8 m x 6 m, turned, with six coffers 60 cm apart, each of its own depth. */

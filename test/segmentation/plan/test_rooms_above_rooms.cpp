@@ -5,11 +5,6 @@
 #include "sedr_segmentation/src/openings/opening_search.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-
 namespace {
 
 using namespace pcl::sedr;
@@ -75,100 +70,80 @@ hallBelowGallery()
   return plan;
 }
 
-TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloors)
+/** A hall of 6 x 4 m below a ceiling that rises from `height` by `rise` in each metre,
+ * and a room above all of it. */
+Floorplan
+hallBelowRoom(double height, double rise)
 {
-  Floorplan plan = hallBelowGallery();
-  endBelowRoomsAbove(plan, Priors());
-  const PlanRoom& hall = plan.rooms[0];
-  EXPECT_NEAR(hall.ceilingAt({1, 1}), 2.5, 1e-9);    // below the slab
-  EXPECT_NEAR(hall.ceilingAt({4.5, 3}), 2.69, 1e-9); // open to the gallery
-  EXPECT_NEAR(hall.ceilingAt({5.5, 2}), 5, 1e-9);    // beside it, below the roof
-  ASSERT_EQ(hall.details.size(), 2u);
-  EXPECT_EQ(hall.details[1].slab.inferred, 1);
-  EXPECT_NEAR(hall.details[1].boundary.area(), 1.01 * 4, 1e-9);
-  EXPECT_TRUE(plan.rooms[1].details.empty());
+  Floorplan plan{{roomBetween(rectangle(0, 0, 6, 4), 0, 2.5, 1),
+                  roomBetween(rectangle(0, 0, 6, 4), 2.7, 5.2, 2)}};
+  plan.rooms[0].ceiling = slabAt(height, rise);
+  return plan;
 }
 
-TEST(RoomsAboveRooms, NothingStaysOfAFacetBelowOneOfThem)
+TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloorsAndRaiseNone)
 {
-  Floorplan plan = hallBelowGallery();
-  plan.rooms[1].boundary = rectangle(0, 0, 6, 4);
-  endBelowRoomsAbove(plan, Priors());
-  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
-  EXPECT_EQ(plan.rooms[0].details[0].slab.inferred, 1);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 2.69, 1e-9);
-}
-
-TEST(RoomsAboveRooms, AReliefThatRisesThroughThemEndsAtThem)
-{
-  // A relief that rises from 2 m at x = 0 to 3 m at x = 6.
-  Floorplan plan = hallBelowGallery();
-  SlabCurve relief;
-  relief.kind = CurveKind::Relief;
-  relief.spacing = 0.5;
-  relief.centre = {0.001, 0.001};
-  relief.columns = 13;
+  struct Case {
+    const char* what;
+    Floorplan plan;
+    std::vector<Eigen::Vector3d> ceilings; ///< of the first room: x, y, height
+    std::size_t details;                   ///< of it
+  };
+  Floorplan covered = hallBelowGallery();
+  covered.rooms[1].boundary = rectangle(0, 0, 6, 4);
+  Floorplan relief = hallBelowGallery(); // that rises from 2 m at x = 0 to 3 m at x = 6
+  SlabCurve heights;
+  heights.kind = CurveKind::Relief;
+  heights.spacing = 0.5;
+  heights.centre = {0.001, 0.001};
+  heights.columns = 13;
   for (int k = 0; k < 9 * 13; ++k)
-    relief.heights.push_back(2 + (0.001 + 0.5 * (k % 13)) / 6);
-  plan.rooms[0].details[0].slab.curve = std::make_shared<const SlabCurve>(relief);
-  endBelowRoomsAbove(plan, Priors());
-  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4, 3.5}), 2 + 4 / 6.0, 1e-9);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.9, 3}), 2.69, 1e-9) << "open to the gallery";
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({5.99, 1}), 3, 0.01) << "beside it";
-  // Of the heights at x = 4, 4.5, 5 and 5.5 all but the first are lowered.
-  EXPECT_NEAR(plan.rooms[0].details[0].slab.inferred, 0.75, 1e-9);
-}
-
-TEST(RoomsAboveRooms, APieceOfAFacetBesideStripsStays)
-{
+    heights.heights.push_back(2 + (0.001 + 0.5 * (k % 13)) / 6);
+  relief.rooms[0].details[0].slab.curve = std::make_shared<const SlabCurve>(heights);
   // Of 20 x 4 m a shaft of 0.8 x 0.8 m is left, and 2 cm all along both sides.
-  Floorplan plan;
-  plan.rooms = {roomBetween(rectangle(0, 0, 20, 4), 0, 2.5, 1),
-                roomBetween(rectangle(0, 0.03, 20, 3.97), 2.7, 5.2, 2)};
-  plan.rooms[0].details = {roofOver(rectangle(0, 0, 20, 4), 5, 0)};
-  plan.rooms[1].columns = {reversed(rectangle(4, 3, 4.8, 3.8))};
-  endBelowRoomsAbove(plan, Priors());
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.4, 3.4}), 5, 1e-9);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({9, 2}), 2.69, 1e-9);
-}
-
-TEST(RoomsAboveRooms, TheLowestOfThemCounts)
-{
-  for (const bool is_highest_first : {false, true}) {
-    Floorplan plan = hallBelowGallery();
-    plan.rooms.push_back(roomBetween(rectangle(0, 0, 5.5, 4), 4, 6, 3));
-    if (is_highest_first)
-      std::swap(plan.rooms[1], plan.rooms[2]);
+  Floorplan shaft{{roomBetween(rectangle(0, 0, 20, 4), 0, 2.5, 1),
+                   roomBetween(rectangle(0, 0.03, 20, 3.97), 2.7, 5.2, 2)}};
+  shaft.rooms[0].details = {roofOver(rectangle(0, 0, 20, 4), 5, 0)};
+  shaft.rooms[1].columns = {reversed(rectangle(4, 3, 4.8, 3.8))};
+  Floorplan two = hallBelowGallery();
+  two.rooms.push_back(roomBetween(rectangle(0, 0, 5.5, 4), 4, 6, 3));
+  Floorplan highest_first = two;
+  std::swap(highest_first.rooms[1], highest_first.rooms[2]);
+  const std::vector<Eigen::Vector3d> steps{{4.5, 2, 2.69}, {5.2, 2, 3.99}, {5.8, 2, 5}};
+  Floorplan pit = hallBelowGallery();
+  pit.rooms[1].floor_details = {roofOver(rectangle(4.5, 1, 5, 3), 2.6, 0)};
+  for (const Case& c : std::vector<Case>{
+           {"beside a gallery",
+            hallBelowGallery(),
+            {{1, 1, 2.5}, {4.5, 3, 2.69}, {5.5, 2, 5}},
+            2},
+           {"of a facet below a room nothing stays", covered, {{5, 2, 2.69}}, 1},
+           {"a relief",
+            relief,
+            {{4, 3.5, 2 + 4 / 6.0}, {4.9, 3, 2.69}, {5.99, 1, 2 + 5.99 / 6}},
+            1},
+           {"a piece beside strips stays", shaft, {{4.4, 3.4, 5}, {9, 2, 2.69}}, 2},
+           {"the lowest room counts", two, steps, 3},
+           {"in any order", highest_first, steps, 3},
+           {"the lowest part of a floor", pit, {{4.2, 2, 2.69}, {4.8, 2, 2.59}}, 3},
+           {"that rises through a floor",
+            hallBelowRoom(2.2, 1.0 / 6),
+            {{0.05, 2, 2.2 + 0.05 / 6},
+             {2.9, 2, 2.2 + 2.9 / 6},
+             {3, 2, 2.69},
+             {5.95, 2, 2.69}},
+            1}}) {
+    Floorplan plan = c.plan;
     endBelowRoomsAbove(plan, Priors());
-    EXPECT_NEAR(plan.rooms[0].ceilingAt({4.5, 2}), 2.69, 1e-9);
-    EXPECT_NEAR(plan.rooms[0].ceilingAt({5.2, 2}), 3.99, 1e-9);
-    EXPECT_NEAR(plan.rooms[0].ceilingAt({5.8, 2}), 5, 1e-9);
+    for (const Eigen::Vector3d& p : c.ceilings)
+      EXPECT_NEAR(plan.rooms[0].ceilingAt(p.head<2>()), p.z(), 0.006)
+          << c.what << " at " << p.transpose();
+    EXPECT_EQ(plan.rooms[0].details.size(), c.details) << c.what;
+    const PlanDetail& last = plan.rooms[0].details.back();
+    EXPECT_NEAR(last.slab.inferred, last.slab.curve ? 0.75 : 1, 1e-9)
+        << c.what << ", of heights at x = 4, 4.5, 5 and 5.5 all but the first";
+    EXPECT_TRUE(plan.rooms[1].details.empty()) << c.what;
   }
-}
-
-TEST(RoomsAboveRooms, AndTheLowestPartOfTheirFloors)
-{
-  Floorplan plan = hallBelowGallery();
-  plan.rooms[1].floor_details = {roofOver(rectangle(4.5, 1, 5, 3), 2.6, 0)};
-  endBelowRoomsAbove(plan, Priors());
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.2, 2}), 2.69, 1e-9);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.8, 2}), 2.59, 1e-9);
-}
-
-TEST(RoomsAboveRooms, RaiseNoCeiling)
-{
-  // It rises from 2.2 to 3.2 m and crosses the floor above.
-  Floorplan plan;
-  plan.rooms = {roomBetween(rectangle(0, 0, 6, 4), 0, 2.5, 1),
-                roomBetween(rectangle(0, 0, 6, 4), 2.7, 5.2, 2)};
-  plan.rooms[0].ceiling = roofOver({}, 2.2, 1.0 / 6).slab;
-  const PlanRoom before = plan.rooms[0];
-  endBelowRoomsAbove(plan, Priors());
-  for (double x = 0.05; x < 6; x += 0.1)
-    EXPECT_NEAR(plan.rooms[0].ceilingAt({x, 2}),
-                std::min(before.ceilingAt({x, 2}), 2.69), 1e-9)
-        << x;
 }
 
 } // namespace

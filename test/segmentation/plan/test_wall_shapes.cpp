@@ -2,7 +2,6 @@
 // Plans of rooms of many shapes, from their points.
 #include "room_evidence.h"
 
-#include <cmath>
 #include <utility>
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <pcl/sedr_segmentation/impl/find_building.h>
 
-#include "segmentation/air/air_scene.h"
+#include "air_scene.h"
 
 #include <string>
 
@@ -17,8 +17,9 @@ struct Found {
       , building(pcl::sedr::findBuilding(of.points.view(), {}, parameters, problem))
   {}
 
-  /** Returns the room above a place, 0 for none. */
-  std::uint32_t roomAt(double x, double y, double z = 1) const
+  /** Returns the gap of a room at a place, and the room's id; 0 for none. */
+  std::pair<std::uint32_t, pcl::sedr::RoomColumn>
+  gapAt(double x, double y, double z) const
   {
     const Eigen::Vector2d at = scene.place(x, y);
     const Eigen::Vector3d p = building.frame.toBuilding({at.x(), at.y(), 0});
@@ -26,8 +27,14 @@ struct Found {
     for (const pcl::sedr::BuildingRoom& room : building.rooms)
       for (const pcl::sedr::RoomColumn& column : room.columns)
         if (column.cell == cell && column.floor < z && z < column.ceiling)
-          return room.id;
-    return 0;
+          return {room.id, column};
+    return {};
+  }
+
+  /** Returns the room above a place, 0 for none. */
+  std::uint32_t roomAt(double x, double y, double z = 1) const
+  {
+    return gapAt(x, y, z).first;
   }
 
   const AirScene& scene;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building_scene.h"
 
-#include "segmentation/air/stairs_scene.h"
+#include "stairs_scene.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/scan/scan_up.h"
 
+#include "room_points.h"
 #include "tools/box_room.h"
-#include "turned_room.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
 
 namespace {
 
@@ -115,18 +111,6 @@ TEST(ScanUp, OfAVaultBelowAFloorIsDoubted)
   EXPECT_NE(doubt.reason.find("upside down"), std::string::npos) << doubt.reason;
 }
 
-TEST(ScanUp, OfARoomAsWideAsHighNamesBothAxesThatMayBeUp)
-{
-  RoomPoints room(0.05);
-  room.room(rectangle(0, 0, 3, 2.8), 0, 10);
-  room.slab(rectangle(0, 0, 1.5, 2.8), 9);
-  const UpDoubt doubt = doubtOf(room);
-  EXPECT_TRUE(doubt.isDoubtful()) << doubt.nats;
-  EXPECT_NE(doubt.reason.find("y seems to be up, not z"), std::string::npos);
-  EXPECT_NE(doubt.reason.find("about as likely, say --up"), std::string::npos)
-      << doubt.reason;
-}
-
 TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
 {
   for (const Eigen::Vector3d& size :
@@ -177,17 +161,22 @@ TEST(ScanUp, AHallIsInMetresThoughSomeOfItIsAsEvenAsALowRoomInFeet)
   EXPECT_LT(doubtOf(hall).feet_nats, UpDoubt::certain);
 }
 
-TEST(ScanUp, IsToldByWhereScannersStood)
+TEST(ScanUp, OfARoomAsWideAsHighNamesBothAxesThatMayBeUpOrWhereScannersStoodTellsIt)
 {
-  RoomPoints room(0.05); // as wide as high, and deep: y or x may be up
+  RoomPoints room(0.05);
   room.room(rectangle(0, 0, 3, 2.8), 0, 10);
   room.slab(rectangle(0, 0, 1.5, 2.8), 9);
-  const auto doubtWith = [&](const Eigen::Vector3d& station) {
-    return doubtOfUp(room.view(), room.all(), {station, station});
+  const auto doubtWith = [&](const std::vector<Eigen::Vector3d>& stations) {
+    return doubtOfUp(room.view(), room.all(), stations);
   };
-  EXPECT_FALSE(doubtWith({0.3, 0.3, 1.6}).isDoubtful());
-  const UpDoubt doubt = doubtWith({0.3, 1.6, 5});
-  EXPECT_EQ(doubt.reason.rfind("y seems to be up", 0), 0U) << doubt.reason;
+  const UpDoubt doubt = doubtWith({});
+  EXPECT_TRUE(doubt.isDoubtful()) << doubt.nats;
+  EXPECT_NE(doubt.reason.find("y seems to be up, not z"), std::string::npos);
+  EXPECT_NE(doubt.reason.find("about as likely, say --up"), std::string::npos)
+      << doubt.reason;
+  EXPECT_FALSE(doubtWith({{0.3, 0.3, 1.6}, {0.3, 0.3, 1.6}}).isDoubtful());
+  const UpDoubt known = doubtWith({{0.3, 1.6, 5}, {0.3, 1.6, 5}});
+  EXPECT_EQ(known.reason.rfind("y seems to be up", 0), 0U) << known.reason;
 }
 
 TEST(ScanUp, AnInclinedScanIsCertainAndToldFromOneWithTiltedWalls)

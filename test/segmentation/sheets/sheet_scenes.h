@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_segmentation/src/borders/sheet_plan.h"
+#include "segmentation/plan/room_evidence.h"
 
-#include "plan_loops.h"
+namespace sedr_test {
 
-#include <cmath>
-#include <functional>
-#include <random>
-#include <vector>
-
-namespace sheet_test {
-
-using pcl::sedr::FacetSheet;
-using pcl::sedr::PlanRoom;
 using Height = std::function<double(double, double)>;
 
 /** A rectangular room with a ceiling in closed form, and points of it. */
@@ -21,39 +12,56 @@ struct Scene {
   double width = 6;
   double depth = 4;
   Height height;
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> risers; ///< points of vertical faces
-  PlanRoom room;
-  double turn = 0; ///< of the room about the origin, radians
+  RoomPoints points; ///< of floor, walls, ceiling and what was added
+  RoomParts parts;
+  double turn = 0; ///< of the room about the origin, degrees
+
+  Eigen::Vector2d placed(double x, double y) const
+  {
+    return Eigen::Rotation2Dd(turn * M_PI / 180) * Eigen::Vector2d(x, y);
+  }
+
+  /** Adds points of the vertical face between two places, if the ceiling jumps there.
+   */
+  void addRiser(Eigen::Vector2d a, Eigen::Vector2d b)
+  {
+    const auto rise = [&] { return height(b.x(), b.y()) - height(a.x(), a.y()); };
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector2d middle = (a + b) / 2;
+      const double h = height(middle.x(), middle.y());
+      (std::abs(h - height(a.x(), a.y())) > std::abs(rise()) / 2 ? b : a) = middle;
+    }
+    const Eigen::Vector2d p = placed(a.x(), a.y());
+    const double low = height(a.x(), a.y()) + std::min(rise(), 0.0);
+    if (std::abs(rise()) > 0.01)
+      for (double z = low; z < low + std::abs(rise()); z += 0.03)
+        parts.details.push_back(points.point(p.x(), p.y(), z));
+  }
 };
 
-/** Returns the room and its points turned about the origin. */
+/** Makes points of a ceiling every 4 cm, with noise along the normal, of its steps,
+ * and below it of walls and a floor. */
 inline Scene
-turned(Scene scene, double radians)
-{
-  const Eigen::Rotation2Dd turn(radians);
-  for (auto* points : {&scene.points, &scene.risers})
-    for (Eigen::Vector3d& p : *points)
-      p.head<2>() = turn * p.head<2>();
-  for (auto& element : scene.room.boundary.elements) {
-    element.start = turn * element.start;
-    element.end = turn * element.end;
-  }
-  scene.turn += radians;
-  return scene;
-}
-
-/** Makes points of a ceiling every 4 cm, with noise along the normal. */
-inline Scene
-sceneOf(double width, double depth, Height height, double noise = 0.01, int seed = 1)
+sceneOf(double width,
+        double depth,
+        const Height& height,
+        double noise = 0.01,
+        double turn = 0,
+        unsigned seed = 1,
+        bool sees_steps = true)
 {
   constexpr double spacing = 0.04;
-  Scene scene;
-  scene.width = width;
-  scene.depth = depth;
-  scene.height = height;
-  scene.room.boundary = sedr_test::rectangle(0, 0, width, depth);
-  std::mt19937 random(static_cast<unsigned>(seed));
+  Scene scene{width, depth, height, RoomPoints(0.05, 0.003), {}, turn};
+  const PlanLoop loop = rectangle(0, 0, width, depth);
+  scene.parts.floor = scene.points.slab(sedr_test::placed(loop, turn, {0, 0}), -1);
+  for (const PlanElement& e : loop.elements)
+    for (double s = spacing / 2; s < e.length(); s += spacing) {
+      const Eigen::Vector2d p = e.pointAt(s);
+      const Eigen::Vector2d at = scene.placed(p.x(), p.y());
+      for (double z = -1 + spacing / 2; z < height(p.x(), p.y()); z += spacing)
+        scene.parts.walls.push_back(scene.points.point(at.x(), at.y(), z));
+    }
+  std::mt19937 random(seed);
   std::normal_distribution<double> off(0, noise);
   std::uniform_real_distribution<double> jitter(0, spacing);
   for (double y = 0; y < depth; y += spacing)
@@ -62,38 +70,26 @@ sceneOf(double width, double depth, Height height, double noise = 0.01, int seed
       const double v = std::min(y + jitter(random), depth);
       const double dx = (height(u + 1e-5, v) - height(u - 1e-5, v)) / 2e-5;
       const double dy = (height(u, v + 1e-5) - height(u, v - 1e-5)) / 2e-5;
-      const Eigen::Vector3d normal = Eigen::Vector3d(-dx, -dy, 1).normalized();
-      scene.points.push_back(Eigen::Vector3d(u, v, height(u, v)) +
-                             off(random) * normal);
+      const Eigen::Vector3d p = Eigen::Vector3d(u, v, height(u, v)) +
+                                off(random) * Eigen::Vector3d(-dx, -dy, 1).normalized();
+      const Eigen::Vector2d at = scene.placed(p.x(), p.y());
+      scene.parts.ceiling.push_back(scene.points.point(at.x(), at.y(), p.z()));
+      if (!sees_steps)
+        continue;
+      scene.addRiser({x, y}, {x + spacing, y});
+      scene.addRiser({x, y}, {x, y + spacing});
     }
   return scene;
 }
 
-inline FacetSheet
-fitted(const Scene& scene, const pcl::sedr::SheetParameters& parameters = {})
-{
-  const auto grid = pcl::sedr::gridWithin(scene.room.boundary, parameters);
-  return pcl::sedr::fitSheet(
-      scene.points, grid, pcl::sedr::cellsWithin(grid, scene.room.boundary),
-      pcl::sedr::wallDirections(scene.room.boundary), parameters);
-}
-
-/** Returns the room with the ceiling that is fitted to its points. */
 inline PlanRoom
 fittedRoom(const Scene& scene)
 {
-  PlanRoom room = scene.room;
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (const Eigen::Vector3d& p : scene.points)
-    cloud.emplace_back(p.x(), p.y(), p.z());
-  FacetSheet sheet = fitted(scene);
-  refitToScan(sheet, pcl::sedr::PointView(cloud), {});
-  giveCeiling(sheet, scene.points, scene.risers, room);
-  return room;
+  return fitted(scene.points, scene.parts);
 }
 
 /** Deviation of a ceiling from the truth along the normal: mean, and share of places
- * beyond a centimetre. */
+ * beyond a centimetre; more than a cell off the walls. */
 struct Off {
   double mean = 0;
   double beyond = 0;
@@ -103,7 +99,6 @@ inline Off
 offBy(const Scene& scene, const PlanRoom& room)
 {
   constexpr double step = 0.021;
-  const Eigen::Rotation2Dd turn(scene.turn);
   Off off;
   int count = 0;
   for (double y = step / 2; y < scene.depth; y += step)
@@ -111,7 +106,7 @@ offBy(const Scene& scene, const PlanRoom& room)
       const double truth = scene.height(x, y);
       const double dx = (scene.height(x + 1e-4, y) - scene.height(x - 1e-4, y)) / 2e-4;
       const double dy = (scene.height(x, y + 1e-4) - scene.height(x, y - 1e-4)) / 2e-4;
-      const double d = std::abs(room.ceilingAt(turn * Eigen::Vector2d(x, y)) - truth) /
+      const double d = std::abs(room.ceilingAt(scene.placed(x, y)) - truth) /
                        std::sqrt(1 + dx * dx + dy * dy);
       off.mean += d;
       off.beyond += d > 0.01 ? 1 : 0;
@@ -122,4 +117,4 @@ offBy(const Scene& scene, const PlanRoom& room)
   return off;
 }
 
-} // namespace sheet_test
+} // namespace sedr_test

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/borders/sheet_plan.h"
 #include "sedr_segmentation/src/labelling/minimum_cut.h"
-#include "sedr_segmentation/src/plan/room_shares.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
 #include "segmentation/plan/room_evidence.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <random>
-#include <vector>
 
 namespace {
 
@@ -21,52 +13,16 @@ using namespace sedr_test;
 /** What is vertical between two heights that was not seen. */
 enum class Hidden { Nothing, Risers, RisersAndWalls };
 
-/** Returns the details of the ceiling or floor of a room known except for them. */
-std::vector<PlanDetail>
-detailsOf(const PlanRoom& truth,
-          bool is_floor = false,
-          double noise = 0,
-          Hidden hidden = Hidden::Nothing)
+/** Returns the plan of a room of which all but some vertical faces was seen. */
+PlanRoom
+seenOf(const PlanRoom& truth, double noise = 0, Hidden hidden = Hidden::Nothing)
 {
   RoomPoints points(0.05, noise);
-  const RoomParts parts = points.room(truth);
-  std::vector<int> own = is_floor ? parts.floor : parts.ceiling;
-  for (const int i : parts.details)
-    if ((points[i].z() < truth.ceiling.heightAt({0, 0}) / 2) == is_floor)
-      own.push_back(i);
-  own = seenPoints(points.view(), CellGrid(0.05), own, is_floor);
-  const auto isHidden = [&](int i) {
-    const Eigen::Vector3f p = points[i];
-    const double to_wall = truth.boundary.distance(p.head<2>().cast<double>());
-    return hidden != Hidden::Nothing && p.z() > 2.25 && p.z() < 2.45 &&
-           (hidden == Hidden::RisersAndWalls || to_wall > 0.02);
-  };
-  std::vector<int> seen = points.all();
-  seen.erase(std::remove_if(seen.begin(), seen.end(), isHidden), seen.end());
-  const std::vector<Eigen::Vector3d> places = placesOf(points.view(), own);
-  FacetSheet surface =
-      surfaceWithin(truth.boundary, places, SheetParameters::of({}, is_floor),
-                    placesOf(points.view(), seen));
-  refitToScan(surface, points.view(), seen);
-  PlanRoom room = truth;
-  giveCeiling(surface, places, pointsOfRisers(surface, points.view(), seen), room,
-              is_floor);
-  return is_floor ? room.floor_details : room.details;
-}
-
-TEST(LevelSurface, TheEdgesOfASoffitAreTheWallsAndItsRiser)
-{
-  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  room.details = {detailOf(rectangle(0.01, 3.21, 5.01, 4.01), 2.2)};
-  for (const double noise : {0.0, 0.01}) {
-    const auto details = detailsOf(room, false, noise);
-    ASSERT_EQ(details.size(), 1u) << noise;
-    EXPECT_EQ(details[0].boundary.elements.size(), 4u);
-    EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary),
-              0.002 + noise / 2);
-    EXPECT_NEAR(details[0].slab.heightAt({2, 3.6}), 2.2, 0.001 + noise / 10);
-    EXPECT_TRUE(details[0].holes.empty());
-  }
+  return fitted(points, points.room(truth, [&](const Eigen::Vector3d& p) {
+    const double to_wall = truth.boundary.distance(p.head<2>());
+    return hidden == Hidden::Nothing || p.z() < 2.25 || p.z() > 2.45 ||
+           (hidden == Hidden::Risers && to_wall < 0.02);
+  }));
 }
 
 TEST(LevelSurface, ARecessHasRisersOrWallsAboveTheCeilingAndASoffitARiser)
@@ -74,7 +30,7 @@ TEST(LevelSurface, ARecessHasRisersOrWallsAboveTheCeilingAndASoffitARiser)
   const auto countOf = [](const PlanLoop& part, Hidden hidden, double ceiling = 2.2) {
     PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), ceiling);
     room.details = {detailOf(part, 4.7 - ceiling)};
-    return detailsOf(room, false, 0, hidden).size();
+    return seenOf(room, 0, hidden).details.size();
   };
   const PlanLoop step = rectangle(0.01, 2.81, 5.01, 4.01);
   const PlanLoop coffer = rectangle(1.51, 1.01, 3.51, 3.01);
@@ -97,8 +53,7 @@ TEST(LevelSurface, BeamsBelowASoffitPartItIntoFields)
                                     rectangle(4.01, 3.51, 4.26, 5.01)};
   room.details = {soffit, detailOf(beams[0], 2.2), detailOf(beams[1], 2.2)};
   for (const double noise : {0.0, 0.01}) {
-    PlanRoom found = room;
-    found.details = detailsOf(room, false, noise);
+    const PlanRoom found = seenOf(room, noise);
     EXPECT_EQ(found.details.size(), 5u) << noise;
     for (const double x : {1.0, 3.0, 5.0})
       EXPECT_NEAR(found.ceilingAt({x, 4.2}), 2.35, 0.005) << noise << ' ' << x;
@@ -108,25 +63,39 @@ TEST(LevelSurface, BeamsBelowASoffitPartItIntoFields)
   }
 }
 
-TEST(LevelSurface, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
+TEST(LevelSurface, SmallPiecesBelowACeilingAwayFromTheWallsAreLampsOthersDetails)
 {
   struct Piece {
     PlanLoop outline;
     double drop;
-    bool is_lamp;
+    bool is_detail;
   };
-  for (const Piece& piece : {
-           Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.12, true},
-           Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.3, true},   // on a rod
-           Piece{rectangle(2.01, 2.01, 3.21, 3.01), 0.12, false}, // larger
-           Piece{rectangle(0.26, 2.01, 1.46, 2.61), 0.12, true},
-           Piece{rectangle(0.11, 2.01, 1.31, 2.61), 0.12, false},  // at the wall
-           Piece{rectangle(2.01, 2.01, 3.21, 2.61), -0.12, false}, // a coffer
-       }) {
-    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-    room.details = {detailOf(piece.outline, 2.5 - piece.drop)};
-    EXPECT_EQ(detailsOf(room).size(), piece.is_lamp ? 0u : 1u)
-        << piece.outline.elements[0].start.transpose() << ": " << piece.drop;
+  for (const Piece& piece :
+       {Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.12, false},
+        Piece{rectangle(2.01, 2.01, 3.21, 2.61), 0.3, false}, // on a rod
+        Piece{rectangle(2.01, 2.01, 3.21, 3.01), 0.12, true}, // larger
+        Piece{rectangle(0.26, 2.01, 1.46, 2.61), 0.12, false},
+        Piece{rectangle(0.06, 2.01, 1.26, 2.61), 0.12, true}, // at the wall
+        Piece{rectangle(0.01, 3.01, 0.61, 4.01), 0.08, true},
+        Piece{rectangle(2.01, 2.01, 3.21, 2.31), 0.05, false}, // a panel
+        Piece{rectangle(3.91, 0.01, 5.01, 4.01), 0.05, true},  // a soffit
+        Piece{rectangle(2.01, 2.01, 3.21, 2.61), -0.12, true}, // coffers
+        Piece{rectangle(1.01, 1.01, 1.61, 2.21), -0.03, true},
+        Piece{rectangle(3.01, 1.01, 3.61, 2.21), -0.05, true},
+        Piece{rectangle(1.51, 1.01, 3.51, 2.51), -0.25, true}}) {
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+    truth.details = {detailOf(piece.outline, 2.5 - piece.drop)};
+    SCOPED_TRACE(testing::Message()
+                 << piece.outline.elements[0].start.transpose() << ": " << piece.drop);
+    const PlanRoom room = seenOf(truth, 0.002);
+    ASSERT_EQ(room.details.size(), piece.is_detail ? 1u : 0u);
+    if (piece.is_detail) {
+      const PlanDetail& found = room.details[0];
+      EXPECT_NEAR(found.slab.heightAt(piece.outline.elements[0].start),
+                  2.5 - piece.drop, 0.002);
+      EXPECT_NEAR(found.boundary.area(), piece.outline.area(), 0.1);
+      EXPECT_LT(cornerError(found.boundary, piece.outline), 0.055);
+    }
   }
 }
 
@@ -134,26 +103,29 @@ TEST(LevelSurface, NoFloorLiesAboveWhatWasSeen)
 {
   // A chest before half of a stage hides the floor, and all but the upper edge of its
   // riser.
-  const PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 3.5);
+  const PlanLoop loop = rectangle(0.01, 0.01, 5.01, 4.01);
   const PlanLoop stage = rectangle(3.01, 0.01, 5.01, 4.01);
   const PlanLoop chest = rectangle(2.21, 0.01, 3.01, 2.01);
   RoomPoints points(0.05, 0);
-  std::vector<int> floor = points.slab(room.boundary, 0, [&](double x, double y) {
-    return !stage.contains({x, y}) && !chest.contains({x, y});
-  });
-  for (const int i : points.slab(stage, 1.4))
-    floor.push_back(i);
+  RoomParts parts;
+  parts.floor =
+      joined(points.slab(loop, 0,
+                         [&](double x, double y) {
+                           return !stage.contains({x, y}) && !chest.contains({x, y});
+                         }),
+             points.slab(stage, 1.4));
+  parts.ceiling = points.slab(loop, 3.5);
+  for (const PlanElement& wall : loop.elements)
+    parts.walls = joined(parts.walls, points.wall(wall, 1.4, 3.5));
   points.slab(chest, 1.2);
   points.wall(chest.elements[3], 0, 1.2);
   points.wall(chest.elements[2], 0, 1.2);
   points.wall(segment({3.01, 4.01}, {3.01, 2.01}), 0, 1.4);
   points.wall(chest.elements[1], 1.2, 1.4);
-  const FacetSheet surface = surfaceWithin(
-      room.boundary, placesOf(points.view(), floor), SheetParameters::of({}, true),
-      placesOf(points.view(), points.all()));
+  const PlanRoom room = fitted(points, parts);
   for (const double x : {1.95, 2.35, 2.6, 2.85})
-    EXPECT_NEAR(surface.heightAt({x, 1}), 0, 0.01) << x;
-  EXPECT_NEAR(surface.heightAt({3.15, 1}), 1.4, 0.01);
+    EXPECT_NEAR(room.floorAt({x, 1}), 0, 0.01) << x;
+  EXPECT_NEAR(room.floorAt({3.15, 1}), 1.4, 0.01);
 }
 
 TEST(LevelSurface, AFloorsPartsAreOfASquareMetreAndNoRugs)
@@ -169,7 +141,7 @@ TEST(LevelSurface, AFloorsPartsAreOfASquareMetreAndNoRugs)
     room.floor_details = {
         detailOf(rectangle(2.01, 1.01, 2.01 + piece.width, 1.01 + 3 * piece.width),
                  piece.height)};
-    EXPECT_EQ(detailsOf(room, true).size(), piece.is_part ? 1u : 0u)
+    EXPECT_EQ(seenOf(room).floor_details.size(), piece.is_part ? 1u : 0u)
         << piece.width << ' ' << piece.height;
   }
 }

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace {
 
 using namespace pcl::sedr;
@@ -50,11 +48,12 @@ moved(Risers risers, double degrees, const Eigen::Vector2d& shift)
 /** Two rooms and what stands in them, below a ceiling at 6 m. */
 class StairScene {
 public:
-  StairScene()
+  explicit StairScene(double bottom = 0)
       : points_(0.04, 0.003)
   {
     building.grid = CellGrid(0.1);
     points_.slab(rectangle(-4, -4, 8, 8), 6);
+    floor(-6, -6, 8, 8, bottom);
   }
 
   /** Adds the floor of a room, numbered in the order of calls. */
@@ -104,6 +103,17 @@ public:
     return building.stairs;
   }
 
+  /** Expects that there is one stair, of one flight. */
+  PlanFlight flight()
+  {
+    const std::vector<PlanStair> found = stairs();
+    EXPECT_EQ(found.size(), 1u);
+    if (found.size() != 1)
+      return {};
+    EXPECT_EQ(found[0].flights.size(), 1u);
+    return found[0].flights.empty() ? PlanFlight() : found[0].flights[0];
+  }
+
   Building building;
 
 private:
@@ -124,8 +134,7 @@ TEST(StairChains, AStraightFlightHasItsRisersWhateverItsDirection)
 {
   for (const double degrees : {0.0, 30.0, 200.0}) {
     SCOPED_TRACE(degrees);
-    StairScene scene;
-    scene.floor(-4, -4, 8, 8, 0.01);
+    StairScene scene(0.01);
     const Risers risers = moved(straightRisers(16, 0.27, 1), degrees, {1, 1});
     scene.flight(risers, 0.01, 0.175);
     const Eigen::Vector2d head = (risers.back()[0] + risers.back()[1]) / 2;
@@ -147,16 +156,12 @@ TEST(StairChains, TreadsSeenInPartAreOfOneFlight)
 {
   for (const double degrees : {0.0, 30.0, 200.0}) {
     SCOPED_TRACE(degrees);
-    StairScene scene;
-    scene.floor(-6, -6, 8, 8, 0.01);
+    StairScene scene(0.01);
     Risers seen = straightRisers(16, 0.27, 1);
     for (std::size_t k = 0; k < 13; ++k) // of most of them one end
       seen[k][k < 8 ? 1 : 0].y() = k < 8 ? 0.28 : -0.28;
     scene.flight(moved(seen, degrees, {1, 1}), 0.01, 0.175);
-    const std::vector<PlanStair> stairs = scene.stairs();
-    ASSERT_EQ(stairs.size(), 1u);
-    ASSERT_EQ(stairs[0].flights.size(), 1u);
-    const PlanFlight& flight = stairs[0].flights[0];
+    const PlanFlight flight = scene.flight();
     const Risers truth = moved(straightRisers(16, 0.27, 1), degrees, {1, 1});
     EXPECT_NEAR(flight.going(), 0.27, 0.01);
     ASSERT_GE(flight.steps(), 15u);
@@ -170,18 +175,15 @@ TEST(StairChains, TreadsSeenInPartAreAlongTheWallBesideThem)
 {
   for (const double degrees : {0.0, 33.0}) {
     SCOPED_TRACE(degrees);
-    StairScene scene;
-    scene.floor(-6, -6, 8, 8, 0.01);
+    StairScene scene(0.01);
     Risers seen = straightRisers(10, 0.27, 1);
     for (std::size_t k = 0; k < seen.size(); ++k) // upwards more of their left ends
       seen[k][1].y() = 0.4 - 0.04 * static_cast<double>(k);
     scene.flight(moved(seen, degrees, {1, 1}), 0.01, 0.175);
     const Risers beside = moved(straightRisers(16, 0.27, 1.3), degrees, {1, 1});
     scene.wall(beside.front()[0], beside.back()[0]);
-    const std::vector<PlanStair> stairs = scene.stairs();
-    ASSERT_EQ(stairs.size(), 1u);
-    ASSERT_EQ(stairs[0].flights.size(), 1u);
-    const Risers& risers = stairs[0].flights[0].risers;
+    const Risers risers = scene.flight().risers;
+    ASSERT_FALSE(risers.empty());
     const Eigen::Vector2d along = beside.back()[0] - beside.front()[0];
     EXPECT_LT(
         std::abs((risers[0][0] - risers[0][1]).normalized().dot(along.normalized())),
@@ -192,7 +194,6 @@ TEST(StairChains, TreadsSeenInPartAreAlongTheWallBesideThem)
 TEST(StairChains, AFlightIsWhereItsTreadsAreNotItsUnderside)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   const Risers risers = straightRisers(16, 0.27, 1);
   Risers strip(risers.begin() + 4, risers.begin() + 11);
   for (PlanFlight::Riser& riser : strip) // of these treads a part was seen
@@ -200,10 +201,7 @@ TEST(StairChains, AFlightIsWhereItsTreadsAreNotItsUnderside)
   scene.flight(strip, 0.7, 0.175);
   scene.flight(moved(straightRisers(12, 0.27, 0.7), 0, {0.27 * 3, -0.15}), 0.2, 0.175);
   scene.floor(16 * 0.27, -1, 6, 1, 2.8);
-  const std::vector<PlanStair> stairs = scene.stairs();
-  ASSERT_EQ(stairs.size(), 1u);
-  ASSERT_EQ(stairs[0].flights.size(), 1u);
-  const PlanFlight& flight = stairs[0].flights[0];
+  const PlanFlight flight = scene.flight();
   ASSERT_EQ(flight.steps(), 16u);
   EXPECT_NEAR(flight.middle(0).x(), 0, 0.05);
   EXPECT_NEAR(flight.middle(15).x(), 15 * 0.27, 0.05);
@@ -212,7 +210,6 @@ TEST(StairChains, AFlightIsWhereItsTreadsAreNotItsUnderside)
 TEST(StairChains, ALandingPartsTwoFlights)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   const Risers lower = straightRisers(8, 0.28, 1);
   const Risers upper = moved(straightRisers(8, 0.28, 1), 90, {2.46, 0.5});
   scene.flight(lower, 0, 0.18);
@@ -232,7 +229,6 @@ TEST(StairChains, TreadsThatTurnAreOneFlight)
   for (const double step : {M_PI / 8, -M_PI / 8}) { // to the left, to the right
     SCOPED_TRACE(step);
     StairScene scene;
-    scene.floor(-4, -4, 8, 8, 0);
     Risers risers = windingRisers(14, 0.3, step, 0.15, 1.1);
     if (step < 0)
       for (PlanFlight::Riser& riser : risers)
@@ -243,18 +239,15 @@ TEST(StairChains, TreadsThatTurnAreOneFlight)
     };
     const Eigen::Vector2d head = 2.4 * middle(13) - 1.4 * middle(12);
     scene.floor(head.x() - 0.2, head.y() - 0.2, head.x() + 0.2, head.y() + 0.2, 2.8);
-    const std::vector<PlanStair> stairs = scene.stairs();
-    ASSERT_EQ(stairs.size(), 1u);
-    ASSERT_EQ(stairs[0].flights.size(), 1u);
-    EXPECT_NEAR(stairs[0].flights[0].rise, 0.2, 0.003);
-    expectRisers(stairs[0].flights[0], risers, 0.15);
+    const PlanFlight flight = scene.flight();
+    EXPECT_NEAR(flight.rise, 0.2, 0.003);
+    expectRisers(flight, risers, 0.15);
   }
 }
 
 TEST(StairChains, AFewTreadsThatTurnAreOfTheFlightToo)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   Risers risers = straightRisers(10, 0.25, 0.9);
   const Eigen::Vector2d newel(2.3, 0.45);
   for (const double degrees : {-60.0, -30.0}) {
@@ -280,19 +273,15 @@ TEST(StairChains, AFewTreadsThatTurnAreOfTheFlightToo)
 TEST(StairChains, ATreadThatNobodySawIsBetweenThoseBesideIt)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   const Risers risers = straightRisers(12, 0.27, 0.9);
   scene.flight(risers, 0, 0.17, 5);
   scene.floor(2.97, -1, 5, 1, 2.04);
-  const std::vector<PlanStair> stairs = scene.stairs();
-  ASSERT_EQ(stairs.size(), 1u);
-  expectRisers(stairs[0].flights.at(0), risers, 0.06);
+  expectRisers(scene.flight(), risers, 0.06);
 }
 
 TEST(StairChains, ShelvesRampsTerracesAndFurnitureAreNone)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   for (int k = 1; k <= 8; ++k) { // one above the other
     scene.slab(rectangle(-3, -3, -2, -2.7), 0.3 * k);
     scene.slab(rectangle(-3, 0, -2, 0.3), 0.17 * k);
@@ -312,7 +301,6 @@ TEST(StairChains, ShelvesRampsTerracesAndFurnitureAreNone)
 TEST(StairChains, FlightsAreOfTheLinkThatLeadsThere)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   scene.flight(straightRisers(16, 0.27, 1), 0, 0.175);
   const PlanStair edge_of_a_void{{1, 5}, {-3, -3}, 0, 2.8, {}};
   const PlanStair elsewhere{{7, 8}, {40, 0}, 0, 2.8, {}};
@@ -328,7 +316,6 @@ TEST(StairChains, FlightsAreOfTheLinkThatLeadsThere)
 TEST(StairChains, AFloorThatAFlightReachesIsThatOfItsLink)
 {
   StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0);
   scene.flight(straightRisers(16, 0.27, 1), 0, 0.175);
   scene.floor(4.05, -1, 6, 1, 2.8);
   scene.building.stairs = {{{1, 5}, {4.2, 0}, 0, 2.8, {}}}; // of a room beside it
@@ -339,8 +326,7 @@ TEST(StairChains, AFloorThatAFlightReachesIsThatOfItsLink)
 
 TEST(StairChains, FlightsOfAPlanStandOnItsFloorsWithEqualSteps)
 {
-  StairScene scene;
-  scene.floor(-4, -4, 8, 8, 0.01);
+  StairScene scene(0.01);
   scene.flight(straightRisers(16, 0.27, 1), 0.01, 0.175);
   scene.floor(16 * 0.27, -1, 6, 1, 2.81);
   scene.stairs();

@@ -302,48 +302,31 @@ boundaryByPcl(const Cloud::Ptr& cloud, int neighbours, float angle)
 
 TEST(CeilingBoundaryWallGrowing, BoundaryIsThatOfPclBoundaryEstimation)
 {
-  struct {
+  struct Case {
+    Scene scene;
     int neighbours;
     float degrees;
-  } const settings[] = {{200, 60.f}, {100, 90.f}, {40, 45.f}, {12, 75.f}};
-  for (const auto& s : settings) {
-    const Scene scene = irregularCeiling(static_cast<unsigned int>(s.neighbours));
-    Growing growing = growingOn(scene, allOf(scene));
-    growing.setNumberOfNeighbors(static_cast<unsigned int>(s.neighbours));
-    const float angle = s.degrees * static_cast<float>(M_PI) / 180.f;
-    growing.setAngleThreshold(angle);
+    std::size_t least; ///< points of the boundary
+  };
+  Scene high_step;
+  high_step.slab(0, 2.95f, 0, 4, 2.5f);
+  high_step.slab(3, 6, 0, 4, 3.3f);
+  for (const Case& c : {Case{irregularCeiling(200), 200, 60, 250},
+                        Case{irregularCeiling(100), 100, 90, 250},
+                        Case{irregularCeiling(40), 40, 45, 250},
+                        Case{irregularCeiling(12), 12, 75, 250},
+                        // of which the nearest 40 points coincide
+                        Case{irregularCeiling(5, 15, 40), 400, 60, 40 * 100},
+                        Case{high_step, 200, 60, 250}}) {
+    Growing growing = growingOn(c.scene, allOf(c.scene));
+    growing.setNumberOfNeighbors(static_cast<unsigned int>(c.neighbours));
+    growing.setAngleThreshold(c.degrees * static_cast<float>(M_PI) / 180.f);
     wallsOf(growing);
-    const auto expected = boundaryByPcl(scene.cloud, s.neighbours, angle);
-    EXPECT_GT(expected.size(), 250u);
-    EXPECT_EQ(growing.getBoundaryIndices(), expected) << s.neighbours << " neighbours";
+    const auto expected =
+        boundaryByPcl(c.scene.cloud, c.neighbours, growing.getAngleThreshold());
+    EXPECT_GT(expected.size(), c.least);
+    EXPECT_EQ(growing.getBoundaryIndices(), expected) << c.neighbours << " neighbours";
   }
-}
-
-TEST(CeilingBoundaryWallGrowing, BoundaryOfRepeatedPointsIsThatOfPclBoundaryEstimation)
-{
-  const Scene scene = irregularCeiling(5, 15, 40); // the nearest 40 points coincide
-  Growing growing = growingOn(scene, allOf(scene));
-  growing.setNumberOfNeighbors(400);
-  wallsOf(growing);
-  const auto expected = boundaryByPcl(scene.cloud, 400, growing.getAngleThreshold());
-  EXPECT_GT(expected.size(), 40u * 100u);
-  EXPECT_EQ(growing.getBoundaryIndices(), expected);
-}
-
-TEST(CeilingBoundaryWallGrowing, BoundaryAtAHighStepIsThatOfPclBoundaryEstimation)
-{
-  Scene scene;
-  scene.slab(0, 2.95f, 0, 4, 2.5f);
-  scene.slab(3, 6, 0, 4, 3.3f);
-  Growing growing = growingOn(scene, allOf(scene));
-  wallsOf(growing);
-  const auto expected = boundaryByPcl(scene.cloud, 200, growing.getAngleThreshold());
-  const auto beside = std::count_if(expected.begin(), expected.end(), [&](int i) {
-    const auto& p = (*scene.cloud)[static_cast<std::size_t>(i)];
-    return p.x > 2.9f && p.x < 3.05f && p.y > 1 && p.y < 3;
-  });
-  EXPECT_GT(beside, 50);
-  EXPECT_EQ(growing.getBoundaryIndices(), expected);
 }
 
 } // namespace

@@ -8,9 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -73,21 +71,37 @@ TEST(StageCallback, FollowsTheRunFromThinningOnAndEndsIt)
   }
 }
 
-TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
+TEST(InputSource, OfAnotherUnitIsRefusedWithTheSentenceOfTheCloudThatNamesIt)
 {
-  for (const float scale : {1000.f, 0.01f}) {
+  for (const auto& [scale, words] : {std::pair(1000.F, "millimetre"),
+                                     {100.F, "centimetre"},
+                                     {40.F, "--unit 0.0254"},
+                                     {0.01F, "too small"}}) {
     const auto cloud = scannedRoom();
     for (auto& p : *cloud)
       p.getVector3fMap() *= scale;
     Reconstruction reconstruction;
     reconstruction.setInputCloud(cloud);
     EXPECT_FALSE(reconstruction.findStructure());
+    EXPECT_NE(reconstruction.getErrorMessage().find(words), std::string::npos)
+        << reconstruction.getErrorMessage();
     Reconstruction streamed;
     streamed.setInputSource(std::make_shared<RowsInPieces>(*cloud, 3000));
     EXPECT_FALSE(streamed.findStructure());
     EXPECT_EQ(streamed.getErrorMessage(), reconstruction.getErrorMessage());
-    EXPECT_EQ(streamed.getModel().failed_stage, "input");
+    EXPECT_EQ(streamed.getModel().failed_stage, reconstruction.getModel().failed_stage);
   }
+}
+
+TEST(InputSource, MayHaveStrayPointsKilometresAway)
+{
+  const auto cloud = scannedRoom();
+  cloud->emplace_back(9e4F, 9e4F, 9e4F);
+  cloud->emplace_back(-9e4F, -9e4F, -9e4F);
+  Reconstruction reconstruction;
+  reconstruction.setInputCloud(cloud);
+  ASSERT_TRUE(reconstruction.findStructure()) << reconstruction.getErrorMessage();
+  EXPECT_NEAR(reconstruction.getFloorplan()->rooms.at(0).area(), 12, 0.05);
 }
 
 } // namespace

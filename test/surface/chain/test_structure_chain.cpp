@@ -4,16 +4,39 @@
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <tuple>
-#include <utility>
 
 namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
+
+const RoomPoints::InSpace everywhere = [](const Eigen::Vector3d&) { return true; };
+
+/** A chain that must find a plan. */
+struct Modelled : StructureChain {
+  explicit Modelled(const Cloud::ConstPtr& scan, const ScanAssumptions& known = {})
+  {
+    setAssumptions(known);
+    EXPECT_TRUE(findStructure(scan)) << getModel().problem;
+  }
+
+  explicit Modelled(const RoomPoints& points, const ScanAssumptions& known = {})
+      : Modelled(points.cloud(), known)
+  {}
+
+  const std::vector<PlanRoom>& rooms() const { return getModel().plan->rooms; }
+
+  const std::vector<PlanWarning>& warnings() const { return getModel().warnings; }
+
+  std::ptrdiff_t countTold(const std::string& words) const
+  {
+    return std::count_if(warnings().begin(), warnings().end(), [&](const auto& w) {
+      return sentenceOf(w).find(words) != std::string::npos;
+    });
+  }
+};
 
 /** A room of `length` x `width` metres with a point every `spacing` metres. */
 StructureChain::Cloud::Ptr
@@ -26,37 +49,30 @@ roomScannedEvery(double spacing, double length = 4, double width = 3)
 
 TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.getModel().problem;
+  Modelled chain(roomScannedEvery(0.1));
   EXPECT_GT(chain.getGridSize(), 0.09);
-  ASSERT_EQ(chain.getModel().warnings.size(), 1u);
-  EXPECT_NE(
-      sentenceOf(chain.getModel().warnings[0]).find("too sparse for cells of 0.05 m"),
-      std::string::npos);
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 12, 0.1);
+  ASSERT_EQ(chain.warnings().size(), 1u);
+  EXPECT_EQ(chain.countTold("too sparse for cells of 0.05 m"), 1);
+  ASSERT_EQ(chain.rooms().size(), 1u);
+  EXPECT_NEAR(chain.rooms()[0].area(), 12, 0.1);
 
   ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
   EXPECT_EQ(chain.getGridSize(), 0.05);
   EXPECT_EQ(chain.getStages().hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.getStages().wall_growing.getDistanceThreshold(), 0.15, 1e-12);
-  EXPECT_TRUE(chain.getModel().warnings.empty());
+  EXPECT_TRUE(chain.warnings().empty());
 }
 
 TEST(StructureChain, TheCeilingBetweenADuctAndTheWallBehindItIsOfTheRoom)
 {
   // A strip of 0.9 square metres, 0.65 m from the rest, beside that of a larger room.
   RoomPoints points;
-  points.slab(rectangle(0.01, 0.01, 3.01, 5.01), 2.6,
+  points.room(roomOf(rectangle(0.01, 0.01, 3.01, 5.01), 2.6), everywhere,
               [](double, double y) { return y < 4.05 || y > 4.7; });
-  points.slab(rectangle(0.01, 0.01, 3.01, 5.01), 0);
-  for (const PlanElement& wall : rectangle(0.01, 0.01, 3.01, 5.01).elements)
-    points.wall(wall, 0, 2.6);
   points.room(rectangle(3.11, 0.01, 9.11, 5.01), 0, 2.6);
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.getModel().plan->rooms[1].area(), 15, 0.1);
+  const Modelled chain(points);
+  ASSERT_EQ(chain.rooms().size(), 2u);
+  EXPECT_NEAR(chain.rooms()[1].area(), 15, 0.1);
 }
 
 TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
@@ -68,37 +84,28 @@ TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
       scan->push_back((*scan)[i]);
       scan->back().z *= -1;
     }
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-  EXPECT_NEAR(chain.getModel().plan->rooms[0].floor.heightAt({1, 1}), 0, 0.01);
+  const Modelled chain(scan);
+  ASSERT_EQ(chain.rooms().size(), 1u);
+  EXPECT_NEAR(chain.rooms()[0].floor.heightAt({1, 1}), 0, 0.01);
   for (std::size_t i = size; i < scan->size(); ++i)
     if ((*scan)[i].z < -0.5F) {
       ASSERT_EQ(chain.getModel().labels[i], 0u) << (*scan)[i].z;
     }
-  const auto isTold = [](const PlanWarning& warning) {
-    return warning.kind == WarningKind::LeftOut &&
-           warning.reason.find("mirrors") != std::string::npos;
-  };
-  EXPECT_EQ(std::count_if(chain.getModel().warnings.begin(),
-                          chain.getModel().warnings.end(), isTold),
-            1);
+  EXPECT_EQ(chain.countTold("mirrors"), 1);
 }
 
 TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
 {
-  const PlanLoop walls = rectangle(0.01, 0.01, 4.01, 3.01);
   RoomPoints points;
-  points.slab(walls, 2.5, [](double x, double y) { return x > 1 || y > 0.8; });
-  points.slab(walls, 0, [](double x, double y) { return x < 2.5 || y > 1; });
-  for (const PlanElement& wall : walls.elements)
-    points.wall(wall, 0, 2.5);
-  StructureChain chain;
+  points.room(
+      roomOf(rectangle(0.01, 0.01, 4.01, 3.01), 2.5), everywhere,
+      [](double x, double y) { return x > 1 || y > 0.8; },
+      [](double x, double y) { return x < 2.5 || y > 1; });
   const auto scan = points.cloud();
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  const Modelled chain(scan);
   EXPECT_EQ(chain.getModel().cloud->size(), scan->size());
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-  const PlanRoom& room = chain.getModel().plan->rooms[0];
+  ASSERT_EQ(chain.rooms().size(), 1u);
+  const PlanRoom& room = chain.rooms()[0];
   EXPECT_NEAR(room.area(), 12, 0.05);
   EXPECT_NEAR(room.ceiling.inferred, 0.8 / 12, 0.02);
   EXPECT_NEAR(room.floor.inferred, 1.5 / 12, 0.02);
@@ -116,29 +123,19 @@ TEST(StructureChain, WhatCeilingAndFloorHideAreCellsOfThemAndNoPoints)
 
 TEST(StructureChain, TheHighestRowOfASlopingCeilingIsNoLintel)
 {
-  const PlanLoop walls = rectangle(0.01, 0.01, 4.01, 5.01);
   for (const auto& [degrees, spacing, noise] :
        {std::tuple(30.0, 0.034, 0.01), {40.0, 0.05, 0.003}, {50.0, 0.034, 0.01}}) {
-    const double slope = std::tan(degrees * M_PI / 180);
-    PlanSlab roof;
-    roof.plane = Eigen::Vector4d(-slope, 0, 1, -1.5) / std::hypot(slope, 1);
+    PlanRoom room = roomOf(rectangle(0.01, 0.01, 4.01, 5.01), 0);
+    room.ceiling = slabAt(1.5, std::tan(degrees * M_PI / 180));
     RoomPoints points(spacing, noise);
-    points.slab(walls, 0);
-    points.slab(walls, roof);
-    for (const PlanElement& wall : walls.elements)
-      points.wall(wall, 0, 9, [&](double s, double z) {
-        const Eigen::Vector2d p = wall.pointAt(s);
-        const bool is_open = p.x() > 3.99 && p.y() > 0.5 && p.y() < 4.5;
-        return !is_open && z < roof.heightAt(p);
-      });
-    StructureChain chain;
-    chain.setAssumptions({false, true});
-    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-    ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-    EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 20, 0.05)
-        << degrees << ' ' << spacing;
-    EXPECT_TRUE(chain.getModel().plan->rooms[0].ceiling.accuracy.isKnown());
-    EXPECT_EQ(chain.getModel().plan->rooms[0].boundary.elements.size(), 4u)
+    points.room(room, [](const Eigen::Vector3d& p) {
+      return p.x() < 3.99 || p.y() < 0.5 || p.y() > 4.5;
+    });
+    const Modelled chain(points, {false, true});
+    ASSERT_EQ(chain.rooms().size(), 1u);
+    EXPECT_NEAR(chain.rooms()[0].area(), 20, 0.05) << degrees << ' ' << spacing;
+    EXPECT_TRUE(chain.rooms()[0].ceiling.accuracy.isKnown());
+    EXPECT_EQ(chain.rooms()[0].boundary.elements.size(), 4u)
         << degrees << ' ' << spacing;
   }
 }
@@ -147,52 +144,34 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
 {
   // A high room with points of the upper parts of its walls only.
   RoomPoints points;
-  const PlanLoop room = rectangle(0.01, 0.01, 4.01, 3.01);
-  points.slab(room, 0);
-  points.slab(room, 5);
-  for (const auto& e : room.elements)
-    points.wall(e, 0, 5, [](double, double z) { return z > 3; });
-  StructureChain chain;
-  chain.setAssumptions({true, true});
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-  const std::vector<PlanWarning>& warnings = chain.getModel().warnings;
-  ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0].kind, WarningKind::Open);
-  EXPECT_EQ(warnings[1].kind, WarningKind::FilledIn);
-  EXPECT_EQ(warnings[1].room, 1u);
-  EXPECT_NE(sentenceOf(warnings[1]).find("not measured"), std::string::npos);
-
-  StructureChain of_seen;
-  ASSERT_TRUE(of_seen.findStructure(roomScannedEvery(0.04)))
-      << of_seen.getModel().problem;
-  EXPECT_TRUE(of_seen.getModel().warnings.empty());
+  points.room(roomOf(rectangle(0.01, 0.01, 4.01, 3.01), 5),
+              [](const Eigen::Vector3d& p) { return p.z() > 3; });
+  const Modelled chain(points, {true, true});
+  ASSERT_EQ(chain.warnings().size(), 2u);
+  EXPECT_EQ(chain.warnings()[0].kind, WarningKind::Open);
+  EXPECT_EQ(chain.warnings()[1].kind, WarningKind::FilledIn);
+  EXPECT_EQ(chain.warnings()[1].room, 1u);
+  EXPECT_EQ(chain.countTold("not measured"), 1);
+  EXPECT_TRUE(Modelled(roomScannedEvery(0.04)).warnings().empty());
 }
 
-TEST(StructureChain, WarnsOfAMeshOfAnotherVolumeThanItsSolid)
+TEST(StructureChain, WarnsOfAMeshOfAnotherVolumeThanItsSolidButNotOfRoundedEdges)
 {
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.getModel().problem;
+  Modelled chain(roomScannedEvery(0.04));
   ASSERT_TRUE(chain.makeMesh()) << chain.getModel().problem;
-  EXPECT_TRUE(chain.getModel().warnings.empty());
+  EXPECT_TRUE(chain.warnings().empty());
   for (auto& point : *chain.getModel().structure)
     point.z *= 0.98F;
   ASSERT_TRUE(chain.makeMesh()) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().warnings.size(), 1u);
-  EXPECT_EQ(sentenceOf(chain.getModel().warnings[0]),
+  ASSERT_EQ(chain.warnings().size(), 1u);
+  EXPECT_EQ(sentenceOf(chain.warnings()[0]),
             "room 1: its mesh holds 29.40 m3, but its solid 30.00 m3");
-}
-
-TEST(StructureChain, RoundedEdgesOfASmallRoomAreNoOtherVolume)
-{
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04, 1.2, 1.1)))
-      << chain.getModel().problem;
-  const std::size_t before = chain.getModel().warnings.size();
-  for (auto& point : *chain.getModel().structure)
+  Modelled small(roomScannedEvery(0.04, 1.2, 1.1));
+  const std::size_t before = small.warnings().size();
+  for (auto& point : *small.getModel().structure)
     point.z *= 0.985F;
-  ASSERT_TRUE(chain.makeMesh()) << chain.getModel().problem;
-  EXPECT_EQ(chain.getModel().warnings.size(), before)
-      << sentenceOf(chain.getModel().warnings.back());
+  ASSERT_TRUE(small.makeMesh()) << small.getModel().problem;
+  EXPECT_EQ(small.warnings().size(), before) << sentenceOf(small.warnings().back());
 }
 
 TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
@@ -202,15 +181,14 @@ TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
     return p.y() > 1 && p.y() < 2 && p.z() < 2;
   };
   RoomPoints points;
-  points.room(sedr_test::roomOf(rectangle(0, 0, 4, 3), 2.5),
+  points.room(roomOf(rectangle(0, 0, 4, 3), 2.5),
               [&](const Eigen::Vector3d& p) { return !(p.x() > 3.99 && isDoor(p)); });
-  points.room(sedr_test::roomOf(rectangle(4.15, 0, 6.65, 3), 2.5),
+  points.room(roomOf(rectangle(4.15, 0, 6.65, 3), 2.5),
               [](const Eigen::Vector3d& p) { return p.x() > 4.16; });
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 12, 0.1);
-  EXPECT_NEAR(chain.getModel().plan->rooms[1].area(), 7.5, 0.35);
+  const Modelled chain(points);
+  ASSERT_EQ(chain.rooms().size(), 2u);
+  EXPECT_NEAR(chain.rooms()[0].area(), 12, 0.1);
+  EXPECT_NEAR(chain.rooms()[1].area(), 7.5, 0.35);
   for (std::size_t i = 0; i < chain.getModel().cloud->size(); ++i)
     EXPECT_EQ(chain.getModel().labels[i] == 0, chain.getModel().rooms[i] == 0);
 }
@@ -219,23 +197,18 @@ TEST(StructureChain, AGalleryOwnsItsWallsThoughAHallIsAsHigh)
 {
   // A hall of 9 x 6 m, 6 m high but for a gallery over a third of it.
   RoomPoints points;
-  const auto isFree = [](double z) { return z < 2.8 || z > 3.1; };
-  const PlanLoop third = rectangle(6.01, 0.01, 9.01, 6.01);
-  points.slab(rectangle(0.01, 0.01, 9.01, 6.01), 0);
-  points.slab(rectangle(0.01, 0.01, 9.01, 6.01), 6);
-  points.slab(third, 2.8);
-  points.slab(third, 3.1);
+  points.room(roomOf(rectangle(0.01, 0.01, 9.01, 6.01), 6),
+              [](const Eigen::Vector3d& p) {
+                return p.x() < 6.01 || p.z() < 2.8 || p.z() > 3.1;
+              });
+  for (const double z : {2.8, 3.1})
+    points.slab(rectangle(6.01, 0.01, 9.01, 6.01), z);
   points.wall(segment({6.01, 0.01}, {6.01, 6.01}), 2.8, 3.1); // the edge of its slab
-  for (const PlanElement& wall : rectangle(0.01, 0.01, 9.01, 6.01).elements)
-    points.wall(wall, 0, 6, [&](double s, double z) {
-      return wall.pointAt(s).x() < 6.01 || isFree(z);
-    });
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 2u);
-  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 9 * 6, 0.1);
-  EXPECT_NEAR(chain.getModel().plan->rooms[1].area(), 3 * 6, 0.6) << "its edge is open";
-  for (const PlanElement& wall : chain.getModel().plan->rooms[1].boundary.elements)
+  const Modelled chain(points);
+  ASSERT_EQ(chain.rooms().size(), 2u);
+  EXPECT_NEAR(chain.rooms()[0].area(), 9 * 6, 0.1);
+  EXPECT_NEAR(chain.rooms()[1].area(), 3 * 6, 0.6) << "its edge is open";
+  for (const PlanElement& wall : chain.rooms()[1].boundary.elements)
     if (std::max(wall.start.x(), wall.end.x()) > 7) {
       EXPECT_GT(wall.evidence.seen, 0.9);
     }
@@ -243,43 +216,27 @@ TEST(StructureChain, AGalleryOwnsItsWallsThoughAHallIsAsHigh)
 
 TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
 {
-  RoomPoints points(0.1);
-  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
   StructureChain chain;
   Priors priors;
   priors.max_wall = 0;
   chain.setPriors(priors);
-  EXPECT_FALSE(chain.findStructure(points.cloud()));
+  EXPECT_FALSE(chain.findStructure(roomScannedEvery(0.1)));
   EXPECT_EQ(chain.getModel().failed_stage, "input");
   EXPECT_NE(chain.getModel().problem.find("max_wall"), std::string::npos)
       << chain.getModel().problem;
   chain.setPriors(Priors());
-  EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
+  EXPECT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.getModel().problem;
 }
 
 TEST(StructureChain, ARoomIsWholeThoughItsFarCeilingWasSeenInLinesOnly)
 {
   RoomPoints points;
-  const PlanLoop room = rectangle(0.01, 0.01, 10.01, 4.01);
-  points.slab(room, 0);
-  points.slab(room, 2.5,
+  points.room(roomOf(rectangle(0.01, 0.01, 10.01, 4.01), 2.5), everywhere,
               [](double x, double) { return x < 4 || std::fmod(x, 0.4) < 0.05; });
-  for (const auto& wall : room.elements)
-    points.wall(wall, 0, 2.5);
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-  EXPECT_NEAR(chain.getModel().plan->rooms[0].area(), 40, 0.1);
+  const Modelled chain(points);
+  ASSERT_EQ(chain.rooms().size(), 1u);
+  EXPECT_NEAR(chain.rooms()[0].area(), 40, 0.1);
   EXPECT_EQ(chain.getModel().labels.size(), chain.getModel().cloud->size());
-}
-
-bool
-tells(const StructureChain& chain, const char* words)
-{
-  return std::any_of(chain.getModel().warnings.begin(), chain.getModel().warnings.end(),
-                     [&](const PlanWarning& warning) {
-                       return sentenceOf(warning).find(words) != std::string::npos;
-                     });
 }
 
 /** A corner of 12 m x 8 m is hidden from (3, 4) behind a pier at x = 6. */
@@ -290,21 +247,15 @@ TEST(StructureChain, AHiddenCornerIsOfTheRoomAndAWarningTellsHowMuchNobodySaw)
     return x < 6 || angle < 0.26 || angle > 0.58;
   };
   RoomPoints points;
-  const PlanLoop room = rectangle(0.01, 0.01, 12.01, 8.01);
-  for (const double z : {0.0, 3.0})
-    points.slab(room, z, isSeen);
-  for (const auto& wall : room.elements)
-    points.wall(wall, 0, 3, [&](double s, double) {
-      return isSeen(wall.pointAt(s).x(), wall.pointAt(s).y());
-    });
+  points.room(
+      roomOf(rectangle(0.01, 0.01, 12.01, 8.01), 3),
+      [&](const Eigen::Vector3d& p) { return isSeen(p.x(), p.y()); }, isSeen, isSeen);
   points.wall(segment({6.01, 4.8}, {6.01, 5.96}), 0, 3);
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.getModel().problem;
-  ASSERT_EQ(chain.getModel().plan->rooms.size(), 1u);
-  const PlanLoop& boundary = chain.getModel().plan->rooms[0].boundary;
-  EXPECT_EQ(boundary.elements.size(), 4u);
-  EXPECT_NEAR(boundary.area(), 96, 0.3);
-  EXPECT_TRUE(tells(chain, "m2 were not seen"));
+  const Modelled chain(points);
+  ASSERT_EQ(chain.rooms().size(), 1u);
+  EXPECT_EQ(chain.rooms()[0].boundary.elements.size(), 4u);
+  EXPECT_NEAR(chain.rooms()[0].area(), 96, 0.3);
+  EXPECT_GT(chain.countTold("m2 were not seen"), 0);
 }
 
 } // namespace

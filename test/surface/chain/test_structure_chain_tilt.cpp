@@ -6,9 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace {
 
 using namespace pcl::sedr;
@@ -170,6 +167,18 @@ TEST(StructureChainTilt, WallsThatTiltByADegreeAreExact)
     EXPECT_LT(farthestFrom(chain.getStages().extrusion.getMesh(), *scan), 0.02)
         << degrees;
   }
+}
+
+TEST(StructureChainTilt, IsThatOfTheSlabsNotOfWallsOutOfPlumb)
+{
+  RoomPoints sheared(0.05, 0.003);
+  sheared.room(rectangle(0, 0, 6, 4), 0, 2.5);
+  const auto scan = sheared.cloud();
+  for (auto& p : *scan)
+    p.x += static_cast<float>(std::tan(1.5 * M_PI / 180)) * p.z;
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.getModel().problem;
+  EXPECT_FALSE(chain.getModel().levelling);
 }
 
 TEST(StructureChainTilt, HalfADegreeIsATolerance)

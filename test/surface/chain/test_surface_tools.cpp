@@ -5,9 +5,6 @@
 #include "tools/sample_files.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
-
-#include <gtest/gtest.h>
 
 #include <cstring>
 

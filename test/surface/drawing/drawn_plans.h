@@ -5,11 +5,9 @@
 
 #include "sedr_surface/src/drawing/plan_drawing.h"
 
-#include <cmath>
 #include <map>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace sedr_test {
 
@@ -123,6 +121,14 @@ scaled(double scale)
 {
   DrawingSettings settings;
   settings.scale = scale;
+  return settings;
+}
+
+inline DrawingSettings
+ofCeiling(double scale = 50)
+{
+  DrawingSettings settings = scaled(scale);
+  settings.view = DrawingView::Ceiling;
   return settings;
 }
 

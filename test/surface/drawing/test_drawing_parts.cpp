@@ -9,10 +9,7 @@
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
-#include <string>
 
 namespace {
 
@@ -112,15 +109,6 @@ TEST(StairDrawing, TheUndersideOfAStairIsNotDrawn)
 }
 
 using namespace pcl::sedr;
-
-DrawingSettings
-ofCeiling()
-{
-  DrawingSettings settings;
-  settings.view = DrawingView::Ceiling;
-  settings.scale = 50;
-  return settings;
-}
 
 TEST(CeilingPlan, HasTheHeightsAndAreasOfTheSolid)
 {

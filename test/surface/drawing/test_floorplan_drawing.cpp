@@ -11,9 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <memory>
-#include <string>
 
 // The output is checked with other programs in test/tools/report.
 

@@ -10,7 +10,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <filesystem>
 #include <fstream>

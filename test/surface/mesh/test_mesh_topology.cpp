@@ -6,9 +6,6 @@
 #include <pcl/PolygonMesh.h>
 #include <pcl/conversions.h>
 #include <pcl/point_types.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
-
-#include <cmath>
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/plan_review.h>
 
-#include <cmath>
 #include <string>
 
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid_checks.h"
 
-#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <random>
 
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
 #include "solid_checks.h"
 
-#include <gtest/gtest.h>
-#include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/impl/mesh_reconstruction.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid_checks.h"
 
-#include <cmath>
 #include <memory>
 #include <random>
 #include <utility>
-#include <vector>
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include "plan_loops.h"
 
 #include <string>
-#include <vector>
 
 namespace programs {
 

@@ -7,10 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace {
 
 using namespace programs;

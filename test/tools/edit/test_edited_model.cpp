@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/in_folder.h"
-#include "tools/sample_files.h"
 #include "tools/sample_result.h"
 
-#include <pcl/sedr_filters/floorplan_io.h>
-
 #include <boost/algorithm/string.hpp>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <sstream>
 
 namespace {
 

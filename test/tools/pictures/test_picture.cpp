@@ -4,12 +4,8 @@
 #include "rows_in_pieces.h"
 #include "stage_pictures.h"
 
-#include <gtest/gtest.h>
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/point_types.h>
-
-#include <cmath>
-#include <utility>
 
 namespace {
 

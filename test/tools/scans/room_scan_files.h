@@ -5,12 +5,6 @@
 #include "las_writer.h"
 #include "tools/box_room.h"
 
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 namespace programs {
 
 /** Returns the points as an E57 file of two scans, half of the points each.

@@ -11,12 +11,7 @@
 
 #include <pcl/io/pcd_io.h>
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace programs {
 

@@ -5,11 +5,6 @@
 #include "tool_error.h"
 #include "tools/sedr_tool_runs.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstring>
-
 namespace {
 
 using namespace programs;

@@ -4,14 +4,9 @@
 #include "tool_cloud.h"
 #include "tools/sedr_tool_runs.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <map>
-#include <sstream>
 
 namespace {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the readers give of good files, against values in closed form.
-#include "scan_file.h"
 #include "scan_folder.h"
 
 #include <cmath>

@@ -5,8 +5,6 @@
 #include "scan_folder.h"
 #include "scan_options.h"
 
-#include <pcl/io/pcd_io.h>
-
 namespace {
 
 using namespace pcl::sedr::tools;

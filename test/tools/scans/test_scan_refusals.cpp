@@ -3,8 +3,6 @@
 #include "scan_folder.h"
 #include "scan_settings.h"
 
-#include <random>
-
 namespace {
 
 using namespace pcl::sedr::tools;

@@ -12,9 +12,6 @@
 
 #include <pcl/io/pcd_io.h>
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <map>
 
 namespace {

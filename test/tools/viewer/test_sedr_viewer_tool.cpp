@@ -2,17 +2,11 @@
 #include "colour.h"
 #include "tools/in_folder.h"
 #include "tools/pictures/pictures.h"
-#include "tools/sample_files.h"
 #include "tools/sample_result.h"
-
-#include <gtest/gtest.h>
 
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <stdexcept>
-#include <string>
 
 namespace {
 

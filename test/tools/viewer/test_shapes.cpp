@@ -2,16 +2,12 @@
 #include "scan_file.h"
 #include "tool_error.h"
 #include "tools/in_folder.h"
-#include "tools/sample_files.h"
 #include "tools/sample_result.h"
 #include "viewer/shapes.h"
 
-#include <gtest/gtest.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
-#include <algorithm>
-#include <fstream>
 #include <set>
 
 namespace {

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_segmentation/src/air/air_gaps.h"
-
 #include "room_points.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 namespace sedr_test {
-
-/** Columns of air between walls at 0.05 m and 4.05 m in x, 0.05 m and 3.05 m in y. */
-constexpr std::size_t columns_of_box = std::size_t{39} * 29;
 
 /** A hole in a wall: range along it and height of the head. */
 struct Hole {
@@ -117,54 +111,5 @@ addTwoRooms(AirScene& scene, Hole hole)
     scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
   scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, hole);
 }
-
-using Seen = std::function<bool(double x, double y)>;
-
-/** Two rooms above each other, and the scanned parts of the slab between them. */
-inline AirScene
-storeysWithSlab(const Seen& ceiling, const Seen& floor)
-{
-  AirScene scene;
-  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
-  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, ceiling);
-  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, floor);
-  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
-  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
-  return scene;
-}
-
-/** The air of a scene, with queries by places of the scene. */
-struct SceneAir {
-  explicit SceneAir(const AirScene& of, unsigned threads = 1)
-      : scene(of)
-      , columns(of.points.view(), {}, 0.1, 0.05, threads)
-      , gaps(columns, columns, parametersFor(threads))
-  {}
-
-  static pcl::sedr::AirParameters parametersFor(unsigned threads)
-  {
-    pcl::sedr::AirParameters parameters;
-    parameters.threads = threads;
-    return parameters;
-  }
-
-  /** Returns the gap at a place, or `none` if there is no air. */
-  std::uint32_t at(double x, double y, double z) const
-  {
-    const Eigen::Vector2d p = scene.place(x, y);
-    const std::uint32_t c = columns.columnAt(columns.grid().at(p.x(), p.y()));
-    if (c == pcl::sedr::VoxelColumns::none)
-      return pcl::sedr::AirGaps::none;
-    const std::int32_t k = columns.voxelAt(z);
-    for (auto g = static_cast<std::uint32_t>(gaps.first(c)); g < gaps.first(c + 1); ++g)
-      if (gaps[g].low <= k && k < gaps[g].high)
-        return g;
-    return pcl::sedr::AirGaps::none;
-  }
-
-  const AirScene& scene;
-  pcl::sedr::VoxelColumns columns;
-  pcl::sedr::AirGaps gaps;
-};
 
 } // namespace sedr_test
