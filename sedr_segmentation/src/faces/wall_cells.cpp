@@ -253,7 +253,7 @@ private:
     }
   }
 
-  /** @brief Takes one point of each cell of a lintel. */
+  /** @brief Takes one point of each cell of a lintel; cells without any are none. */
   void takeLintels()
   {
     const CellMask near_base = dilated(cells_.base, 1);
@@ -278,9 +278,10 @@ private:
   const CeilingEnds& ends_;
   RoomCells& cells_;
   std::vector<CellColumn> columns_;
-  std::vector<float> highest_;   ///< that was seen in or beside each cell
-  std::vector<float> depth_;     ///< of the ceiling about a cell, summed, below its top
-  std::vector<float> seen_near_; ///< cells with ceiling about each,
+  std::vector<float> highest_; ///< that was seen in or beside each cell
+  std::vector<float>
+      depth_; ///< sum within `local` of how far ceilings lie below the top
+  std::vector<float> seen_near_; ///< cells within `local` with ceiling,
   std::vector<float> at_top_;    ///< those of them at its top
   std::vector<float> beside_;    ///< the highest ceiling in or beside a cell
   double uneven_ = 0;            ///< usual depth of the ceiling about a cell

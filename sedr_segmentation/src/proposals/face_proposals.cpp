@@ -210,7 +210,9 @@ private:
     return grown;
   }
 
-  /** @brief Checks whether a chain fits one of some curves as its own would. */
+  /** @brief Checks whether one of some curves explains a chain to within one nat a
+   * place.
+   */
   bool isAlongAny(const std::vector<FaceCurve>& curves,
                   const std::vector<Eigen::Vector2d>& chain) const
   {

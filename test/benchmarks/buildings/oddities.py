@@ -95,6 +95,12 @@ def low_beam(s):
     s.room["ceiling_details"] = [{"loop": rectangle(at, 0, at + s.between(0.2, 0.5), s.y), "drop": round(s.height - s.between(2.05, 2.2), 3)}]
 
 
+def edge_beam(s):
+    """A beam a little before a wall: it hides the ceiling behind it."""
+    gap, width = s.between(0.05, 0.5), s.between(0.15, 0.35)
+    s.room["ceiling_details"] = [{"loop": rectangle(0, round(s.y - gap - width, 3), s.x, round(s.y - gap, 3)), "drop": s.between(0.25, 0.6)}]
+
+
 def cut(s, x0, x1, depth):
     """Takes a rectangle at the far wall from the room."""
     s.room["outline"] = [[0, 0], [s.x, 0], [s.x, s.y], [x1, s.y], [x1, round(s.y - depth, 3)], [x0, round(s.y - depth, 3)], [x0, s.y], [0, s.y]]
@@ -380,4 +386,4 @@ def arcade(s):
 FIRST = (cupboards, cupboard, stage, pit, sloping_floor, tilted_wall, glass_partition, thin_partition, acute_corner, low_beam, pilaster, relief, closet,
          high_glazing, soffit, low_ceiling_slope, half_wall, pre_wall, stub_wall, chimney_breast, glass_corner, loft, s_wall, box_floor, mirror_wall,
          bulkhead, curtain, base_units, shelves, alcoves, columns, ribs)
-LATER = (bay_window, room_divider, wall_duct, radiator_niche, door_mirror, baffle, attic, winter_garden, free_wall, half_column, deep_niches, arcade)
+LATER = (bay_window, room_divider, wall_duct, radiator_niche, door_mirror, baffle, attic, winter_garden, free_wall, half_column, deep_niches, arcade, edge_beam)

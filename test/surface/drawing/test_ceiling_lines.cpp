@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace {
@@ -66,9 +67,13 @@ TEST(CeilingLines, AreWhereThereIsAStepOrAnAngleUnlessItIsTinyOnPaper)
     EXPECT_NEAR(lineLength("A-CLNG-RIDG", dxf), c.creases, 0.32) << c.what;
   }
   const Floorplan tiny = roomBelow(level, {{tile, slabAt(2.2)}});
-  for (const double scale : {20.0, 50.0})
-    for (const PlanLine& line : PlanDrawing(tiny, ofCeiling(scale), 0).lines)
-      EXPECT_TRUE(line.layer != PlanLayer::Ceiling || scale < 50);
+  for (const double scale : {20.0, 50.0}) {
+    const auto lines = PlanDrawing(tiny, ofCeiling(scale), 0).lines;
+    const auto count = std::count_if(lines.begin(), lines.end(), [](const auto& line) {
+      return line.layer == PlanLayer::Ceiling;
+    });
+    EXPECT_EQ(count > 0, scale < 50) << scale;
+  }
   EXPECT_NEAR(lineLength("A-CLNG", dxfOf(tiny, ofCeiling())), 1, 1e-3);
   EXPECT_TRUE(holds(svgOf(hipped, ofCeiling()), ">ridge 2.40<"));
 }
@@ -83,6 +88,13 @@ TEST(CeilingLines, OfAHeadroomEndAtSoffitsAndPlatforms)
   EXPECT_NEAR(lineLength("A-CLNG-HEAD", dxfOf(plan)), 2 * 3, 1e-3);
   plan.rooms[0].floor_details = {detailOf(rectangle(0, 3, 4, 4), 0.2)};
   EXPECT_NEAR(lineLength("A-CLNG-HEAD", dxfOf(plan)), 2 * 3, 1e-3);
+  // At a headroom of 1.5 and 2.3 m, above the floor or the platform.
+  const auto lines = PlanDrawing(plan, {}, 0).lines;
+  for (const double x : {1.0, 1.4, 2.6, 3.0})
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [x](const auto& line) {
+      return line.layer == PlanLayer::Headroom &&
+             std::abs(line.element.start.x() - x) < 1e-3;
+    })) << x;
 }
 
 TEST(CeilingLines, OfEqualHeightRunAroundADome)

@@ -182,16 +182,6 @@ loadPlan(const std::string& path)
   return document;
 }
 
-void
-requireOneFrame(double share, double min_share, const std::string& what)
-{
-  if (share < min_share)
-    throw ToolError(formatText("%.0f %% ", 100 * share) + what +
-                        formatText(", at least %.0f %% are needed", 100 * min_share) +
-                        ": the plan is of another scan, or in another frame or unit",
-                    NothingFound);
-}
-
 std::optional<Origin>
 statedPlanOrigin(const std::string& path)
 {

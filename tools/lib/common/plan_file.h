@@ -16,12 +16,6 @@ namespace pcl::sedr::tools {
  * rooms. */
 PlanDocument loadPlan(const std::string& path);
 
-/** @brief Throws ToolError if a cloud and a plan agree too little to be of one place.
- * @param share of the cloud or the plan that agrees
- * @param min_share below which they are of different scans, frames or units
- * @param what agrees, and where: "of the walls of one room were seen" */
-void requireOneFrame(double share, double min_share, const std::string& what);
-
 /** @brief Returns the origin of the coordinates in a floor plan or a report.json, if it
  * states one. Throws ToolError if the file is no JSON, or the origin is not three
  * numbers. */
