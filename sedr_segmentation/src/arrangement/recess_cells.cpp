@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recess_cells.h"
 
+#include <algorithm>
+
 namespace pcl::sedr {
 
 namespace {
@@ -25,6 +27,7 @@ public:
       , opaque_(seen_.box())
       , glass_(seen_.box())
       , next_(seen_.box())
+      , base_(seen_.box())
       , pillar_(dilated(cells[room].pillar, 2))
       , found_{CellMask(seen_.box()), CellMask(seen_.box())}
   {
@@ -33,11 +36,13 @@ public:
         continue;
       addCells(subtract(cells[r].solid, cells[r].glass), opaque_);
       addCells(cells[r].glass, glass_);
+      addCells(cells[r].base, base_);
       if (r != room)
         addCells(cells[r].besideRoom(cells[room], cells[r].seen), next_);
     }
     opaque_ = dilated(opaque_, 2);
     next_ = dilated(next_, 2);
+    base_ = dilated(base_, 1);
   }
 
   void lookBehind(const StoreyLine& line)
@@ -46,6 +51,12 @@ public:
                                   grid_.centre(seen_.box().high));
     if (line.is_end || !line.box().intersects(box))
       return;
+    // A beam has no part below the ceiling, a wall has one beside its openings.
+    constexpr double min_tall = 0.1; // share of a wall's surface
+    const auto tall = std::count_if(line.tall.begin(), line.tall.end(),
+                                    [](float share) { return share > 0; });
+    const bool is_wall =
+        StoreyLine::bin * static_cast<double>(tall) > min_tall * line.support();
     for (std::size_t i = 0; i < line.any.size(); ++i) {
       if (line.tall[i] > 0 || line.between[i] > StoreyLine::Between::Gap)
         continue;
@@ -53,8 +64,9 @@ public:
           line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
       const Eigen::Vector2d normal = leftOf(line.curve.tangentAt(p));
       const bool goes_on = line.between[i] == StoreyLine::Between::Partly;
-      lookBehind(p, normal, goes_on);
-      lookBehind(p, -normal, goes_on);
+      const bool is_beam = !is_wall && !is(base_, p);
+      lookBehind(p, normal, goes_on, is_beam);
+      lookBehind(p, -normal, goes_on, is_beam);
     }
   }
 
@@ -66,12 +78,14 @@ private:
     return mask.at(grid_.at(p.x(), p.y())) != 0;
   }
 
-  void lookBehind(const Eigen::Vector2d& p, const Eigen::Vector2d& out, bool goes_on)
+  void lookBehind(const Eigen::Vector2d& p,
+                  const Eigen::Vector2d& out,
+                  bool goes_on,
+                  bool is_beam)
   {
-    constexpr double before = 0.15;        // metres: here air of the room was seen,
-    constexpr double inside = 0.4;         // and here
+    constexpr double before = 0.15;        // metres: here air of the room was seen
     constexpr double deepest_reveal = 0.4; // to a leaf, a blind or a back
-    if (!is(seen_, p - before * out) || !is(seen_, p - inside * out))
+    if (!is(seen_, p - before * out) || !is(seen_, p - deepest_reveal * out))
       return;
     const double size = grid_.size();
     const double step = size / 2;
@@ -84,6 +98,11 @@ private:
     const bool is_before_room = is(next_, end);
     if (!(depth > 0) || depth > (is_before_room ? 1.5 : 1) * max_depth_)
       return;
+    // A beam hides the ceiling between itself and the wall.
+    if (is_beam && !is_before_room)
+      for (double d = depth + step; d < farthest && !is(glass_, p + d * out); d += step)
+        if (is(opaque_, p + d * out))
+          return;
     // Behind a leaf in a reveal no air of the room is seen, behind a column there is.
     if (is(pillar_, end))
       for (double d = depth + 3 * size; d < farthest; d += step)
@@ -106,6 +125,7 @@ private:
   CellMask opaque_; ///< near opaque surfaces
   CellMask glass_;
   CellMask next_;   ///< near the air of other rooms
+  CellMask base_;   ///< near surfaces below the ceiling, such as sills
   CellMask pillar_; ///< near what may be columns
   RecessCells found_;
 };

@@ -252,6 +252,37 @@ TEST(WallEvidence, NorIsABoardWhereNoiseTakesPartsOfTheWallToItsFace)
   }
 }
 
+TEST(WallEvidence, AnEdgeBeamIsNotTheWallBehindItThoughItHidesTheCeilingThere)
+{
+  for (const double depth : {0.35, 0.6})
+    for (const double behind : {0.15, 0.3}) {
+      const PlanLoop outline = rectangle(0.01, 0.01, 5.01, 4.01);
+      const double back = 4.01 - behind; // of the beam
+      const double front = back - 0.23;
+      const double foot = ceiling - depth;
+      RoomPoints points(0.05, 0.003);
+      RoomParts parts;
+      parts.floor = points.slab(outline, 0);
+      parts.ceiling = points.slab(rectangle(0.01, 0.01, 5.01, front), ceiling);
+      parts.details =
+          joined(points.slab(rectangle(0.01, front, 5.01, back), foot),
+                 points.wall(segment({0.01, front}, {5.01, front}), foot, ceiling));
+      for (const PlanElement& wall : outline.elements)
+        parts.walls =
+            joined(parts.walls, points.wall(wall, 0, ceiling, [&](double s, double z) {
+              return z < foot || wall.pointAt(s).y() < front;
+            }));
+      // Some of the highest points of the wall behind it pass for the ceiling's.
+      parts.details =
+          joined(parts.details,
+                 points.wall(outline.elements[2], foot - 0.05, foot,
+                             [](double s, double) { return std::fmod(s, 0.4) < 0.1; }));
+      const PlanRoom room = fitted(points, parts);
+      EXPECT_EQ(room.boundary.elements.size(), 4u) << depth << ' ' << behind;
+      EXPECT_LT(cornerError(room.boundary, outline), 0.01) << depth << ' ' << behind;
+    }
+}
+
 TEST(WallEvidence, APartOfAWallThatStandsForwardUpToTheCeilingStays)
 {
   const PlanLoop outline = polygon({{0.01, 0.01},
