@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_edges.h"
+#include "opening_search.h"
 
 #include "sedr_filters/src/base/quantiles.h"
 
@@ -17,6 +17,8 @@ struct EdgeFrame {
   double position; ///< expected, of the outward coordinate
   double low;      ///< extent of the edge, of the other coordinate
   double high;
+  double shallow; ///< depth behind which its reveal shows: of the face or of a back
+                  ///< beyond it
 
   double outward(const SidePoint& p) const
   {
@@ -68,8 +70,8 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
   };
   const auto isReveal = [&](const SidePoint& p) {
     const double at = offsetOf(p);
-    return p.offset < -map.tolerance() &&
-           p.offset > -map.tolerance() - opening_numbers.reveal_strip &&
+    return p.offset < -edge.shallow &&
+           p.offset > -edge.shallow - opening_numbers.reveal_strip &&
            p.offset > -map.depthAt(p.along, p.height) + map.tolerance() && at >= 0 &&
            at < 2 * sizes.edge_reach && edge.across(p) >= low && edge.across(p) < high;
   };
@@ -160,7 +162,13 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
   double squares = 0;
   const auto move = [&](double& value, double sign, bool is_upright, double low,
                         double high) {
-    const EdgeFrame edge{sign, is_upright, sign * value, low, high};
+    EdgeFrame edge{sign, is_upright, sign * value, low, high, map.tolerance()};
+    const auto [in, out] = std::minmax(value, value + 2 * sign * sizes.edge_reach);
+    if (const OpeningBack back = backOf(map, is_upright
+                                                 ? WallRectangle{in, out, low, high}
+                                                 : WallRectangle{low, high, in, out});
+        back.closed >= opening_numbers.min_reveal)
+      edge.shallow = back.depth + map.tolerance();
     std::optional<EdgeFit> found = revealOf(map, edge, sizes);
     if (!found)
       found = rimOf(map, edge, sizes);

@@ -180,19 +180,22 @@ private:
          plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
       return; // no wall with two faces is between a room and itself
     const WallRectangle& at = candidate.rectangle;
-    candidate.closed = map.shareOf(WallCell::Seen, at.from, at.to, at.bottom, at.top);
-    candidate.solid = solidShare(candidate);
+    countCells(candidate);
     candidate.back = backOf(map, at);
     const double head =
-        part == 0 && rectangle.rise == 0 ? headOfBack(map, at, sizes_) : at.bottom;
+        part == 0 && rectangle.rise == 0
+            ? headOfBack(map, at, sizes_)
+            : at.bottom;
     candidate.split = (head - at.bottom) / (at.top - at.bottom);
     found.push_back(candidate);
     if (candidate.split > 0) {
       WallRectangle below = rectangle;
       WallRectangle above = rectangle;
       below.top = above.bottom = head;
-      addFound(side, below, 1, found);
       addFound(side, above, 2, found);
+      if (found.back().part == 2) // its sill is the head of the other
+        below.top = found.back().rectangle.bottom;
+      addFound(side, below, 1, found);
     }
   }
 
@@ -228,34 +231,53 @@ private:
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
   }
 
-  /** @brief Returns the share of an opening in which the face behind was seen. */
-  double solidShare(const FoundOpening& found) const
+  /** @brief Counts what the cells of a candidate show on both faces of its wall. */
+  void countCells(FoundOpening& candidate) const
   {
-    if (found.behind == search_.sides.size())
-      return 0;
-    const PlanElement& line = search_.sides[found.side].line;
-    const PlanElement& back = search_.sides[found.behind].line;
-    const WallRectangle& at = found.rectangle;
-    const auto [from, to] = std::minmax(
-        {back.project(line.pointAt(at.from)), back.project(line.pointAt(at.to))});
-    return search_.maps[found.behind].shareOf(WallCell::Seen, from, to, at.bottom,
-                                              at.top);
+    const WallMap& map = search_.maps[candidate.side];
+    const WallRectangle& at = candidate.rectangle;
+    const double step = map.cell();
+    const double inset = std::min({sizes_.beside, (at.to - at.from) / 4,
+                                   (at.top - at.bottom) / 4}); // of frames
+    double all = 0;
+    double inner = 0;
+    for (double s = at.from + step / 2; s < at.to; s += step)
+      for (double z = at.bottom + step / 2; z < at.top; z += step) {
+        const WallCell here = map.at(s, z);
+        const WallCell there = behindAt(candidate, s, z);
+        ++all;
+        candidate.closed += here == WallCell::Seen ? 1 : 0;
+        candidate.solid += there == WallCell::Seen ? 1 : 0;
+        if (s > at.from + inset && s < at.to - inset && z > at.bottom + inset &&
+            z < at.top - inset) {
+          ++inner;
+          candidate.filled += here == WallCell::Within ? 1 : 0;
+        }
+      }
+    candidate.closed /= std::max(1.0, all);
+    candidate.solid /= std::max(1.0, all);
+    candidate.filled /= std::max(1.0, inner);
+  }
+
+  /** @brief Returns what the face behind a candidate shows; Hidden: there is none. */
+  WallCell behindAt(const FoundOpening& candidate, double along, double height) const
+  {
+    if (candidate.behind == search_.sides.size())
+      return WallCell::Hidden;
+    const Eigen::Vector2d place = search_.sides[candidate.side].line.pointAt(along);
+    return search_.maps[candidate.behind].at(
+        search_.sides[candidate.behind].line.project(place), height);
   }
 
   /** @brief Returns the share of jambs and head beside which a face was seen, on either
    * side of the wall: an opening is a hole in a wall. */
   double seenAround(const FoundOpening& candidate, const WallRectangle& at) const
   {
-    const PlanElement& line = search_.sides[candidate.side].line;
     const WallMap& map = search_.maps[candidate.side];
     const double step = map.cell();
     const auto isSeen = [&](double along, double height) {
-      if (map.at(along, height) == WallCell::Seen)
-        return true;
-      return candidate.behind < search_.sides.size() &&
-             search_.maps[candidate.behind].at(
-                 search_.sides[candidate.behind].line.project(line.pointAt(along)),
-                 height) == WallCell::Seen;
+      return map.at(along, height) == WallCell::Seen ||
+             behindAt(candidate, along, height) == WallCell::Seen;
     };
     std::size_t seen = 0;
     std::size_t all = 0;
@@ -307,8 +329,6 @@ private:
     o.rise = at.rise;
     o.residual = at.residual;
     o.deviation_95 = at.deviation;
-    candidate.filled = map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1,
-                                   at.bottom + 0.1, at.top - 0.1);
     o.rooms[0] = room.id;
     o.rooms[1] =
         is_paired
