@@ -133,7 +133,7 @@ addParted(const CellGains& g,
           gain > most) {
         most = gain;
         below.last_row = a;
-        above.first_row = b;
+        above.first_row = below.next_row = b;
       }
   if (below.last_row == at.last_row) {
     found.push_back(at);
@@ -186,7 +186,8 @@ bestArch(const CellGains& g, const CellRectangle& at, double cost)
   CellArch best;
   const auto flat = static_cast<double>(at.last_row);
   double most = gainOf(flat, 0) + cost;
-  const double highest = std::min(flat + half, static_cast<double>(g.rows));
+  const double highest =
+      std::min(flat + half, static_cast<double>(std::min(g.rows, at.next_row)));
   for (double top = flat - 1; top <= highest; top += 0.5)
     for (double rise = 2; rise <= half; rise += 0.5) {
       if (top - rise < static_cast<double>(at.first_row + g.min_rows))

@@ -283,7 +283,9 @@ private:
     std::size_t all = 0;
     const auto look = [&](double along, double height, double way, double up) {
       ++all;
-      for (double d = sizes_.beside; d <= 2 * sizes_.beside; d += step)
+      // Points of a corner may lie at a jamb; above a head there may be but a bar.
+      for (double d = up > 0 ? step / 2 : sizes_.beside; d <= 2 * sizes_.beside;
+           d += step)
         if (isSeen(along + d * way, height + d * up)) {
           ++seen;
           return;
