@@ -164,9 +164,9 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
                         double high) {
     EdgeFrame edge{sign, is_upright, sign * value, low, high, map.tolerance()};
     const auto [in, out] = std::minmax(value, value + 2 * sign * sizes.edge_reach);
-    if (const OpeningBack back = backOf(map, is_upright
-                                                 ? WallRectangle{in, out, low, high}
-                                                 : WallRectangle{low, high, in, out});
+    if (const OpeningBack back =
+            backOf(map, is_upright ? WallRectangle{in, out, low, high}
+                                   : WallRectangle{low, high, in, out});
         back.closed >= opening_numbers.min_reveal)
       edge.shallow = back.depth + map.tolerance();
     std::optional<EdgeFit> found = revealOf(map, edge, sizes);

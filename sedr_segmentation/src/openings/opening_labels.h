@@ -51,8 +51,8 @@ CellArch bestArch(const CellGains& gains, const CellRectangle& rectangle, double
  * (the width is checked for the best start of each pair only). O(columns rows^2). */
 std::vector<CellRectangle> bestRectangles(const CellGains& gains);
 
-/** @brief Returns those, parted where a bar of wall lies across them, and as often again
- * the best beside, above and below them. */
+/** @brief Returns those, parted where a bar of wall lies across them, and as often
+ * again the best beside, above and below them. */
 std::vector<CellRectangle> allRectangles(CellGains gains);
 
 } // namespace pcl::sedr

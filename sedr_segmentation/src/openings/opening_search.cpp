@@ -183,9 +183,7 @@ private:
     countCells(candidate);
     candidate.back = backOf(map, at);
     const double head =
-        part == 0 && rectangle.rise == 0
-            ? headOfBack(map, at, sizes_)
-            : at.bottom;
+        part == 0 && rectangle.rise == 0 ? headOfBack(map, at, sizes_) : at.bottom;
     candidate.split = (head - at.bottom) / (at.top - at.bottom);
     found.push_back(candidate);
     if (candidate.split > 0) {
@@ -237,8 +235,8 @@ private:
     const WallMap& map = search_.maps[candidate.side];
     const WallRectangle& at = candidate.rectangle;
     const double step = map.cell();
-    const double inset = std::min({sizes_.beside, (at.to - at.from) / 4,
-                                   (at.top - at.bottom) / 4}); // of frames
+    const double inset = std::min(
+        {sizes_.beside, (at.to - at.from) / 4, (at.top - at.bottom) / 4}); // of frames
     double all = 0;
     double inner = 0;
     for (double s = at.from + step / 2; s < at.to; s += step)
