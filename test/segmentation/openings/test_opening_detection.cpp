@@ -261,16 +261,6 @@ TEST(OpeningDetection, AboveEachOtherInOneWall)
   expectEdges(*highest, light, -0.1, 0.02);
 }
 
-TEST(OpeningDetection, ABarPartsTwoAboveEachOther)
-{
-  TwoRooms scene(0.005);
-  scene.scanOuterWall({{1, 2.5, 0.3, 0.9}, {1, 2.5, 0.98, 2.1}});
-  const auto found = openingsOf(scene);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(std::min(found[0].bottom, found[1].bottom), 0.3, 0.02);
-  EXPECT_NEAR(std::max(found[0].top, found[1].top), 2.1, 0.02);
-}
-
 TEST(OpeningDetection, WindowInATiltedWall)
 {
   for (const double degrees : {-15.0, 4.0, 20.0}) {
