@@ -88,8 +88,7 @@ bestRectangles(const CellGains& g)
     }
     const Band& band = bands[closed[c].band];
     const std::size_t start = closed[c].start;
-    best.push_back(
-        {start, c, band.first_row, band.last_row, closed[c].gain - closed[start].gain});
+    best.push_back({start, c, band.first_row, band.last_row});
     c = start;
   }
   std::reverse(best.begin(), best.end());

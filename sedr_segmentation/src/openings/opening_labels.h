@@ -13,7 +13,6 @@ struct CellRectangle {
   std::size_t last_column = 0;
   std::size_t first_row = 0;
   std::size_t last_row = 0;
-  double gain = 0; ///< nats by which it is likelier than wall
   std::size_t next_row = static_cast<std::size_t>(-1); ///< first of another one above
 };
 

@@ -169,7 +169,7 @@ private:
     const SideBehind* const behind = backs_[side].at(
         (rectangle.from + rectangle.to) / 2, (rectangle.bottom + rectangle.top) / 2);
     candidate.behind = behind ? behind->side : search_.sides.size();
-    candidate.around = seenAround(candidate, rectangle);
+    candidate.around = seenAround(search_, candidate, rectangle, sizes_);
     if (candidate.around < sizes_.min_around)
       return;
     candidate.rectangle = fittedEdges(map, rectangle, sizes_);
@@ -180,7 +180,7 @@ private:
          plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
       return; // no wall with two faces is between a room and itself
     const WallRectangle& at = candidate.rectangle;
-    countCells(candidate);
+    countCells(search_, sizes_, candidate);
     candidate.back = backOf(map, at);
     const double head =
         part == 0 && rectangle.rise == 0 ? headOfBack(map, at, sizes_) : at.bottom;
@@ -227,76 +227,6 @@ private:
                                   opening_numbers.bay_share * seenOf(bay.front()));
     }
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
-  }
-
-  /** @brief Counts what the cells of a candidate show on both faces of its wall. */
-  void countCells(FoundOpening& candidate) const
-  {
-    const WallMap& map = search_.maps[candidate.side];
-    const WallRectangle& at = candidate.rectangle;
-    const double step = map.cell();
-    const double inset = std::min(
-        {sizes_.beside, (at.to - at.from) / 4, (at.top - at.bottom) / 4}); // of frames
-    double all = 0;
-    double inner = 0;
-    for (double s = at.from + step / 2; s < at.to; s += step)
-      for (double z = at.bottom + step / 2; z < at.top; z += step) {
-        const WallCell here = map.at(s, z);
-        const WallCell there = behindAt(candidate, s, z);
-        ++all;
-        candidate.closed += here == WallCell::Seen ? 1 : 0;
-        candidate.solid += there == WallCell::Seen ? 1 : 0;
-        if (s > at.from + inset && s < at.to - inset && z > at.bottom + inset &&
-            z < at.top - inset) {
-          ++inner;
-          candidate.filled += here == WallCell::Within ? 1 : 0;
-        }
-      }
-    candidate.closed /= std::max(1.0, all);
-    candidate.solid /= std::max(1.0, all);
-    candidate.filled /= std::max(1.0, inner);
-  }
-
-  /** @brief Returns what the face behind a candidate shows; Hidden: there is none. */
-  WallCell behindAt(const FoundOpening& candidate, double along, double height) const
-  {
-    if (candidate.behind == search_.sides.size())
-      return WallCell::Hidden;
-    const Eigen::Vector2d place = search_.sides[candidate.side].line.pointAt(along);
-    return search_.maps[candidate.behind].at(
-        search_.sides[candidate.behind].line.project(place), height);
-  }
-
-  /** @brief Returns the share of jambs and head beside which a face was seen, on either
-   * side of the wall: an opening is a hole in a wall. */
-  double seenAround(const FoundOpening& candidate, const WallRectangle& at) const
-  {
-    const WallMap& map = search_.maps[candidate.side];
-    const double step = map.cell();
-    const auto isSeen = [&](double along, double height) {
-      return map.at(along, height) == WallCell::Seen ||
-             behindAt(candidate, along, height) == WallCell::Seen;
-    };
-    std::size_t seen = 0;
-    std::size_t all = 0;
-    const auto look = [&](double along, double height, double way, double up) {
-      ++all;
-      // Points of a corner may lie at a jamb; above a head there may be but a bar.
-      for (double d = up > 0 ? step / 2 : sizes_.beside; d <= 2 * sizes_.beside;
-           d += step)
-        if (isSeen(along + d * way, height + d * up)) {
-          ++seen;
-          return;
-        }
-    };
-    for (double z = at.bottom + step / 2; z < at.top; z += step) {
-      look(at.from, z, -1, 0);
-      look(at.to, z, 1, 0);
-    }
-    for (double s = at.from + step / 2; s < at.to; s += step)
-      if (map.at(s, at.top + sizes_.beside) != WallCell::Beyond) // below the ceiling
-        look(s, at.top, 0, 1);
-    return all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0;
   }
 
   /** @brief Sets places and rooms of an opening from its rectangle. */
