@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_edges.h"
+#include "opening_search.h"
 
 #include "sedr_filters/src/base/quantiles.h"
 
@@ -17,6 +17,9 @@ struct EdgeFrame {
   double position; ///< expected, of the outward coordinate
   double low;      ///< extent of the edge, of the other coordinate
   double high;
+  double shallow;  ///< depth behind which its reveal shows: of the face or of a back
+                   ///< beyond it
+  double farthest; ///< it may be, where the face goes on, of the outward coordinate
 
   double outward(const SidePoint& p) const
   {
@@ -68,10 +71,11 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
   };
   const auto isReveal = [&](const SidePoint& p) {
     const double at = offsetOf(p);
-    return p.offset < -map.tolerance() &&
-           p.offset > -map.tolerance() - opening_numbers.reveal_strip &&
+    return p.offset < -edge.shallow &&
+           p.offset > -edge.shallow - opening_numbers.reveal_strip &&
            p.offset > -map.depthAt(p.along, p.height) + map.tolerance() && at >= 0 &&
-           at < 2 * sizes.edge_reach && edge.across(p) >= low && edge.across(p) < high;
+           edge.outward(p) < edge.farthest && edge.across(p) >= low &&
+           edge.across(p) < high;
   };
   for (const SidePoint& p : map.points())
     if (isReveal(p))
@@ -160,7 +164,30 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
   double squares = 0;
   const auto move = [&](double& value, double sign, bool is_upright, double low,
                         double high) {
-    const EdgeFrame edge{sign, is_upright, sign * value, low, high};
+    EdgeFrame edge{sign,
+                   is_upright,
+                   sign * value,
+                   low,
+                   high,
+                   map.tolerance(),
+                   sign * value + sizes.edge_reach};
+    // Behind the wall beside it, a bar or a pier, lies the reveal of another one.
+    for (double out = 0; out < sizes.edge_reach; out += map.cell()) {
+      const auto [from, to] =
+          std::minmax({value + sign * out, value + sign * (out + map.cell())});
+      if ((is_upright ? map.shareOf(WallCell::Seen, from, to, low, high)
+                      : map.shareOf(WallCell::Seen, low, high, from, to)) > 0.5) {
+        edge.farthest =
+            std::min(edge.farthest, sign * value + out + map.cell() + map.tolerance());
+        break;
+      }
+    }
+    const auto [in, out] = std::minmax({value, value + 2 * sign * sizes.edge_reach});
+    if (const OpeningBack back =
+            backOf(map, is_upright ? WallRectangle{in, out, low, high}
+                                   : WallRectangle{low, high, in, out});
+        back.closed >= opening_numbers.min_reveal)
+      edge.shallow = back.depth + map.tolerance();
     std::optional<EdgeFit> found = revealOf(map, edge, sizes);
     if (!found)
       found = rimOf(map, edge, sizes);

@@ -88,26 +88,76 @@ bestRectangles(const CellGains& g)
     }
     const Band& band = bands[closed[c].band];
     const std::size_t start = closed[c].start;
-    best.push_back(
-        {start, c, band.first_row, band.last_row, closed[c].gain - closed[start].gain});
+    best.push_back({start, c, band.first_row, band.last_row});
     c = start;
   }
   std::reverse(best.begin(), best.end());
   return best;
 }
 
+namespace {
+
+/** @brief Adds a rectangle, or those above each other that gain more than it: a bar of
+ * wall between two openings costs a single one all that was seen of the bar. */
+void
+addParted(const CellGains& g,
+          const CellRectangle& at,
+          std::vector<CellRectangle>& found)
+{
+  const std::size_t n = g.rows + 1;
+  std::vector<double> inside(n); // of the rows before each, from side to side
+  std::vector<double> lower(n);
+  std::vector<double> upper(n);
+  for (std::size_t r = 0; r < n; ++r) {
+    for (std::size_t c = at.first_column; c < at.last_column; ++c) {
+      lower[r] += g.lower[c * n + r];
+      upper[r] += g.upper[c * n + r];
+      inside[r] += r > 0 ? g.inside[c * g.rows + r - 1] : 0;
+    }
+    if (r > 0)
+      inside[r] += inside[r - 1] + g.left[at.first_column * g.rows + r - 1] +
+                   g.right[at.last_column * g.rows + r - 1];
+  }
+  const auto gainOf = [&](std::size_t a, std::size_t b) {
+    return b >= a + g.min_rows
+               ? g.prior(a, b) + inside[b] - inside[a] + lower[a] + upper[b]
+               : never;
+  };
+  double most = gainOf(at.first_row, at.last_row);
+  CellRectangle below = at;
+  CellRectangle above = at;
+  for (std::size_t a = at.first_row + 1; a < at.last_row; ++a)
+    for (std::size_t b = a + 1; b < at.last_row; ++b)
+      if (const double gain = gainOf(at.first_row, a) + gainOf(b, at.last_row);
+          gain > most) {
+        most = gain;
+        below.last_row = a;
+        above.first_row = below.next_row = b;
+      }
+  if (below.last_row == at.last_row) {
+    found.push_back(at);
+    return;
+  }
+  addParted(g, below, found);
+  addParted(g, above, found);
+}
+
+} // namespace
+
 std::vector<CellRectangle>
 allRectangles(CellGains g)
 {
   constexpr double taken = -1e6; // nats
   std::vector<CellRectangle> all;
-  for (auto best = bestRectangles(g); !best.empty(); best = bestRectangles(g))
-    for (const CellRectangle& r : best) {
-      all.push_back(r);
-      for (std::size_t c = r.first_column; c < r.last_column; ++c)
-        for (std::size_t k = r.first_row; k < r.last_row; ++k)
-          g.inside[c * g.rows + k] = taken;
-    }
+  for (auto best = bestRectangles(g); !best.empty(); best = bestRectangles(g)) {
+    const std::size_t first = all.size();
+    for (const CellRectangle& r : best)
+      addParted(g, r, all);
+    for (std::size_t k = first; k < all.size(); ++k)
+      for (std::size_t c = all[k].first_column; c < all[k].last_column; ++c)
+        for (std::size_t r = all[k].first_row; r < all[k].last_row; ++r)
+          g.inside[c * g.rows + r] = taken;
+  }
   return all;
 }
 
@@ -135,7 +185,8 @@ bestArch(const CellGains& g, const CellRectangle& at, double cost)
   CellArch best;
   const auto flat = static_cast<double>(at.last_row);
   double most = gainOf(flat, 0) + cost;
-  const double highest = std::min(flat + half, static_cast<double>(g.rows));
+  const double highest =
+      std::min(flat + half, static_cast<double>(std::min(g.rows, at.next_row)));
   for (double top = flat - 1; top <= highest; top += 0.5)
     for (double rise = 2; rise <= half; rise += 0.5) {
       if (top - rise < static_cast<double>(at.first_row + g.min_rows))

@@ -13,7 +13,7 @@ struct CellRectangle {
   std::size_t last_column = 0;
   std::size_t first_row = 0;
   std::size_t last_row = 0;
-  double gain = 0; ///< nats by which it is likelier than wall
+  std::size_t next_row = static_cast<std::size_t>(-1); ///< first of another one above
 };
 
 /** @brief Gains of labelling cells and their borders, in nats, and limits. */
@@ -50,7 +50,8 @@ CellArch bestArch(const CellGains& gains, const CellRectangle& rectangle, double
  * (the width is checked for the best start of each pair only). O(columns rows^2). */
 std::vector<CellRectangle> bestRectangles(const CellGains& gains);
 
-/** @brief Returns those, and as often again the best beside, above and below them. */
+/** @brief Returns those, parted where a bar of wall lies across them, and as often
+ * again the best beside, above and below them. */
 std::vector<CellRectangle> allRectangles(CellGains gains);
 
 } // namespace pcl::sedr

@@ -169,7 +169,7 @@ private:
     const SideBehind* const behind = backs_[side].at(
         (rectangle.from + rectangle.to) / 2, (rectangle.bottom + rectangle.top) / 2);
     candidate.behind = behind ? behind->side : search_.sides.size();
-    candidate.around = seenAround(candidate, rectangle);
+    candidate.around = seenAround(search_, candidate, rectangle, sizes_);
     if (candidate.around < sizes_.min_around)
       return;
     candidate.rectangle = fittedEdges(map, rectangle, sizes_);
@@ -180,8 +180,7 @@ private:
          plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
       return; // no wall with two faces is between a room and itself
     const WallRectangle& at = candidate.rectangle;
-    candidate.closed = map.shareOf(WallCell::Seen, at.from, at.to, at.bottom, at.top);
-    candidate.solid = solidShare(candidate);
+    countCells(search_, sizes_, candidate);
     candidate.back = backOf(map, at);
     const double head =
         part == 0 && rectangle.rise == 0 ? headOfBack(map, at, sizes_) : at.bottom;
@@ -191,8 +190,10 @@ private:
       WallRectangle below = rectangle;
       WallRectangle above = rectangle;
       below.top = above.bottom = head;
-      addFound(side, below, 1, found);
       addFound(side, above, 2, found);
+      if (found.back().part == 2) // its sill is the head of the other
+        below.top = found.back().rectangle.bottom;
+      addFound(side, below, 1, found);
     }
   }
 
@@ -228,55 +229,6 @@ private:
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
   }
 
-  /** @brief Returns the share of an opening in which the face behind was seen. */
-  double solidShare(const FoundOpening& found) const
-  {
-    if (found.behind == search_.sides.size())
-      return 0;
-    const PlanElement& line = search_.sides[found.side].line;
-    const PlanElement& back = search_.sides[found.behind].line;
-    const WallRectangle& at = found.rectangle;
-    const auto [from, to] = std::minmax(
-        {back.project(line.pointAt(at.from)), back.project(line.pointAt(at.to))});
-    return search_.maps[found.behind].shareOf(WallCell::Seen, from, to, at.bottom,
-                                              at.top);
-  }
-
-  /** @brief Returns the share of jambs and head beside which a face was seen, on either
-   * side of the wall: an opening is a hole in a wall. */
-  double seenAround(const FoundOpening& candidate, const WallRectangle& at) const
-  {
-    const PlanElement& line = search_.sides[candidate.side].line;
-    const WallMap& map = search_.maps[candidate.side];
-    const double step = map.cell();
-    const auto isSeen = [&](double along, double height) {
-      if (map.at(along, height) == WallCell::Seen)
-        return true;
-      return candidate.behind < search_.sides.size() &&
-             search_.maps[candidate.behind].at(
-                 search_.sides[candidate.behind].line.project(line.pointAt(along)),
-                 height) == WallCell::Seen;
-    };
-    std::size_t seen = 0;
-    std::size_t all = 0;
-    const auto look = [&](double along, double height, double way, double up) {
-      ++all;
-      for (double d = sizes_.beside; d <= 2 * sizes_.beside; d += step)
-        if (isSeen(along + d * way, height + d * up)) {
-          ++seen;
-          return;
-        }
-    };
-    for (double z = at.bottom + step / 2; z < at.top; z += step) {
-      look(at.from, z, -1, 0);
-      look(at.to, z, 1, 0);
-    }
-    for (double s = at.from + step / 2; s < at.to; s += step)
-      if (map.at(s, at.top + sizes_.beside) != WallCell::Beyond) // below the ceiling
-        look(s, at.top, 0, 1);
-    return all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0;
-  }
-
   /** @brief Sets places and rooms of an opening from its rectangle. */
   void describe(FoundOpening& candidate) const
   {
@@ -307,8 +259,6 @@ private:
     o.rise = at.rise;
     o.residual = at.residual;
     o.deviation_95 = at.deviation;
-    candidate.filled = map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1,
-                                   at.bottom + 0.1, at.top - 0.1);
     o.rooms[0] = room.id;
     o.rooms[1] =
         is_paired

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "opening_edges.h"
 #include "opening_weights.h"
 #include "wall_map.h"
 #include "wall_sides.h"
@@ -81,6 +80,24 @@ struct OpeningSearch {
 /** @brief Returns the height of the floor before or behind an opening, the higher one.
  */
 double highestFloor(const Floorplan& plan, const PlanOpening& opening);
+
+/** @brief Returns the rectangle with edges moved to the planes of the reveals, else to
+ * the rim of the face's points. An arched head stays.
+ * @param cells extent of the rectangle found on the map */
+WallRectangle
+fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& sizes);
+
+/** @brief Counts what the cells of a candidate show on both faces of its wall. */
+void countCells(const OpeningSearch& search,
+                const OpeningSizes& sizes,
+                FoundOpening& candidate);
+
+/** @brief Returns the share of jambs and head beside which a face was seen, on either
+ * side of the wall: an opening is a hole in a wall. */
+double seenAround(const OpeningSearch& search,
+                  const FoundOpening& candidate,
+                  const WallRectangle& at,
+                  const OpeningSizes& sizes);
 
 /** @brief Returns the back of a rectangle, away from its rim. O(cells log cells). */
 OpeningBack backOf(const WallMap& map, const WallRectangle& at);
