@@ -18,7 +18,7 @@ from shapely.geometry import Point, Polygon
 from buildings import oddities
 from buildings import runs
 
-KINDS = {"first": oddities.FIRST, "later": oddities.LATER}
+KINDS = {"first": oddities.FIRST, "later": oddities.LATER, "newest": oddities.NEWEST}
 MOST_OFF = 0.02     # share of a surface more than 5 cm from the other
 RAYS = 900_000      # of all stations
 BESIDE = 0.3        # metres from a room, where a doubt is still of it
@@ -95,7 +95,7 @@ def summary(rows):
 
 def main():
     options = runs.parser(__doc__, "scenes")
-    options.add_argument("--kinds", choices=KINDS, default="first", help="which kinds: the first 32, or those that were added later")
+    options.add_argument("--kinds", choices=KINDS, default="first", help="which kinds: the first 32, or those that were added later, or last")
     runs.all_seeds(options.parse_args(), ["pcl_simulate_indoor_scan", "pcl_mesh_evaluation"], one_scene, summary)
 
 

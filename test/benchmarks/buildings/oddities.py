@@ -386,4 +386,5 @@ def arcade(s):
 FIRST = (cupboards, cupboard, stage, pit, sloping_floor, tilted_wall, glass_partition, thin_partition, acute_corner, low_beam, pilaster, relief, closet,
          high_glazing, soffit, low_ceiling_slope, half_wall, pre_wall, stub_wall, chimney_breast, glass_corner, loft, s_wall, box_floor, mirror_wall,
          bulkhead, curtain, base_units, shelves, alcoves, columns, ribs)
-LATER = (bay_window, room_divider, wall_duct, radiator_niche, door_mirror, baffle, attic, winter_garden, free_wall, half_column, deep_niches, arcade, edge_beam)
+LATER = (bay_window, room_divider, wall_duct, radiator_niche, door_mirror, baffle, attic, winter_garden, free_wall, half_column, deep_niches, arcade)
+NEWEST = (edge_beam,)
