@@ -41,13 +41,13 @@ markGlass(const CellHits& hits,
   const std::vector<float> hits_before = boxSums(room.seen, 7, on_open);
   // A wall crosses a square of 5 cells in some 5 cells: hits a square metre of it.
   const double wall_area = 5 * size * (p.band - frame);
-  std::vector<std::size_t> solids;
+  std::vector<std::size_t> surfaces;
   for (std::size_t i = 0; i < room.solid.values().size(); ++i)
-    if (room.solid.values()[i])
-      solids.push_back(i);
+    if (room.solid.values()[i] || room.pillar.values()[i])
+      surfaces.push_back(i);
   const int reach = static_cast<int>(std::lround(p.pane_neighbours / size));
   std::vector<float> near;
-  for (const std::size_t i : solids) {
+  for (const std::size_t i : surfaces) {
     const Cell cell = room.solid.cellAt(i);
     near.clear();
     for (int dy = -reach; dy <= reach; ++dy)
@@ -55,6 +55,8 @@ markGlass(const CellHits& hits,
         if (const Cell c{cell.x + dx, cell.y + dy};
             dx * dx + dy * dy <= reach * reach && room.solid.at(c))
           near.push_back(of_wall[room.solid.indexOf(c)]);
+    if (near.empty())
+      continue;
     const auto rank = near.begin() + static_cast<std::ptrdiff_t>(
                                          usual * static_cast<double>(near.size() - 1));
     std::nth_element(near.begin(), rank, near.end());
@@ -69,6 +71,7 @@ markGlass(const CellHits& hits,
   const CellMask dark =
       subtract(enclosedCells(unite(room.seen, room.solid)), dilated(hits.any, 1));
   room.glass = subtract(room.glass, dilated(dark, 3));
+  room.pillar = subtract(room.pillar, room.glass);
 }
 
 } // namespace
@@ -126,7 +129,7 @@ findGlass(const PointView& scan,
   std::vector<CellMask> near(rooms.size());
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     if (rooms[r].seen.count() > 0)
-      near[r] = dilated(rooms[r].solid, 8);
+      near[r] = dilated(unite(rooms[r].solid, rooms[r].pillar), 8);
   });
   const std::size_t count = indices.empty() ? scan.size() : indices.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -142,7 +145,8 @@ findGlass(const PointView& scan,
         continue;
       const std::size_t at = near[r].indexOf(cell);
       hits[r].any.values()[at] = 1;
-      const double below = rooms[r].top[at] - q.z();
+      const RoomCells& room = rooms[r];
+      const double below = (room.pillar.values()[at] ? room.low : room.top)[at] - q.z();
       if (below > frame && below < parameters.band)
         ++hits[r].wall[at];
       else if (std::abs(below) < on_ceiling)

@@ -37,9 +37,10 @@ struct RoomCells {
   std::vector<float> low; ///< of the lowest ceiling near it
   std::vector<float> bottom; ///< of the highest floor near it
   CellMask solid;            ///< cells in which a surface reaches up to the ceiling
-  CellMask glass;            ///< those of them that return few rays
+  CellMask glass;            ///< those of them and of pillars that return few rays
   CellMask riser;            ///< cells of lintels: a surface ends at a lower ceiling
-  CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
+  CellMask pillar; ///< cells of an opaque one that ends at a lower ceiling beside a
+                   ///< higher one
   CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
   /** @brief Of the height from floor to ceiling at each of them, the share at which
@@ -100,9 +101,9 @@ std::vector<RoomCells> roomCells(const PointView& points,
 std::vector<float>
 boxSums(const CellMask& frame, int reach, const std::vector<float>& values);
 
-/** @brief Marks the solid cells with few hits of the scan as glass: fewer than a share
- * of those of the walls near them, or of the ceiling before them. An opaque surface
- * returns every ray, a pane one in ten. O(points of the scan).
+/** @brief Marks the solid cells and pillars with few hits of the scan as glass: fewer
+ * than a share of those of the walls near them, or of the ceiling before them. An
+ * opaque surface returns every ray, a pane one in ten. O(points of the scan).
  * @param indices of the scan's points to use; empty: all
  * @param slopes as for roomCells() */
 void findGlass(const PointView& scan,

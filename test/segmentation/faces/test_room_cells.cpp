@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -49,6 +51,47 @@ TEST(RoomCells, APlaceOnAWallTellsTheShareOfItsHeightThatWasSeen)
                   0.12)
           << height << " from " << from;
     }
+}
+
+/** Returns how many cells are pillars and how many glass on a surface, 2 m long, that
+ * ends at a soffit beside a higher ceiling and of which a share of the rays returns. */
+std::pair<std::size_t, std::size_t>
+pillarsAndGlass(int one_in)
+{
+  sedr_test::RoomPoints points(0.02, 0.002);
+  pcl::sedr::PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.6);
+  room.details.emplace_back();
+  room.details[0].boundary = rectangle(2, 4.6, 4, 5);
+  room.details[0].slab = slabAt(2.05);
+  const RoomParts parts = points.room(room);
+  const std::vector<int> surface =
+      points.wall(segment({2, 4.77}, {4, 4.77}), 0, 2.05, [&](double s, double z) {
+        const auto ray = std::lround(s / 0.02) + 3 * std::lround(z / 0.02);
+        return ray % one_in == 0;
+      });
+  pcl::sedr::RoomPoints of_room;
+  of_room.ceiling = joined(parts.ceiling, parts.details);
+  of_room.floor = parts.floor;
+  of_room.walls = joined(parts.walls, surface);
+  const pcl::sedr::CellGrid grid(0.05);
+  std::vector<pcl::sedr::RoomCells> cells =
+      pcl::sedr::roomCells(points.view(), {of_room}, {}, grid, {}, 1);
+  pcl::sedr::findGlass(points.view(), {}, {}, grid, {}, 1, cells);
+  std::pair<std::size_t, std::size_t> found;
+  for (double x = 2.2; x < 3.8; x += grid.size()) {
+    const pcl::sedr::Cell cell = grid.at(x, 4.77);
+    found.first += cells[0].pillar.at(cell) != 0;
+    found.second += cells[0].glass.at(cell) != 0;
+  }
+  return found;
+}
+
+TEST(RoomCells, APaneUpToASoffitIsGlassAndNoPillar)
+{
+  EXPECT_GT(pillarsAndGlass(1).first, 20U);
+  EXPECT_EQ(pillarsAndGlass(1).second, 0U);
+  EXPECT_EQ(pillarsAndGlass(6).first, 0U);
+  EXPECT_GT(pillarsAndGlass(6).second, 20U);
 }
 
 } // namespace
