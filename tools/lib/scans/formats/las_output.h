@@ -3,7 +3,7 @@
 
 #include "bytes/input_file.h"
 #include "las_layout.h"
-#include "sedr_surface/src/formats/append_bytes.h"
+#include "sedr_filters/src/base/field_access.h"
 
 #include <Eigen/Geometry>
 
