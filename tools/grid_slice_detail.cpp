@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture_file.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
 #include "sedr_filters/src/base/number_text.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_segmentation/grid_slice_detail.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture_file.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"
+#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57/e57_reader.h"
-#include "plain_text.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"

@@ -85,11 +85,8 @@ private:
 
   Voxel voxelOf(const Eigen::Vector3d& p) const
   {
-    Voxel voxel{};
-    for (int axis = 0; axis < 3; ++axis)
-      voxel[static_cast<std::size_t>(axis)] =
-          static_cast<std::int32_t>(std::floor(p[axis] / leaf_));
-    return voxel;
+    const Eigen::Array3i voxel = (p.array() / leaf_).floor().cast<std::int32_t>();
+    return {voxel.x(), voxel.y(), voxel.z()};
   }
 
   Eigen::Vector3d meanOf(std::size_t point) const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/whole_file.h"
+#include "bytes/input_file.h"
 #include "compare/comparison.h"
-#include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <filesystem>

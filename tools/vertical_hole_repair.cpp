@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/vertical_hole_repair.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What border_odds.py fits: room_basins SCAN.pcd prints the basins of a scan's air.
-#include "sedr_segmentation/src/parting/room_basins.h"
-#include "sedr_segmentation/src/air/ceiling_dip.h"
+#include "sedr_segmentation/src/air/air_measures.h"
 #include "sedr_segmentation/src/parting/room_borders.h"
+#include "sedr_segmentation/src/parting/room_parting.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>

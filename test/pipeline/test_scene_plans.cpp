@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scan.h"
 #include "simulator/scene/queries.h"
-#include "simulator/scene/scenes.h"
+#include "simulator/scene/scene.h"
 
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>

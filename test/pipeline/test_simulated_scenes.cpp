@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scan.h"
-#include "simulator/scene/scenes.h"
+#include "simulator/scene/scene.h"
 #include "surface/drawing/drawn_plans.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulator/scene/scenes.h"
+#include "simulator/scene/scene.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What pcl_room_segmentation leaves: rooms, owners, the building as a file.
-#include "rooms/building_file.h"
+#include "rooms/labelled_rooms.h"
 #include "stage_tools.h"
 #include "tool_error.h"
 

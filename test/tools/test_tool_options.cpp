@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
-#include "plain_text.h"
 #include "tool_error.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/whole_file.h"
+#include "bytes/input_file.h"
 #include "run_tool.h"
 #include "simulator/scan/scan.h"
-#include "simulator/scene/scenes.h"
+#include "simulator/scene/scene.h"
 #include "simulator/truth/truth.h"
 #include "tool_error.h"
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 namespace pcl::sedr {
@@ -84,6 +85,15 @@ fieldSize(std::uint8_t datatype)
   std::size_t size = 0;
   withFieldType(datatype, [&](auto typed) { size = sizeof typed; });
   return size;
+}
+
+/** @brief Appends the bytes of a value: little-endian, as all platforms of PCL are and
+ * PLY, glTF and LAS ask for. */
+template <typename T>
+void
+append(std::string& bytes, const T& value)
+{
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 } // namespace pcl::sedr

@@ -4,8 +4,8 @@
 #include "../grids/cell_set.h"
 #include "parallel.h"
 #include "quantiles.h"
-#include "symmetric_eigen.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -306,6 +306,30 @@ findLargerSlab(const Positions& points,
                  areSideBySide(on_larger, on_smaller)
              ? larger
              : wide;
+}
+
+namespace {
+
+template <int N>
+SymmetricEigen<N>
+decomposed(const Eigen::Matrix<double, N, N>& matrix)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> solver(matrix);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+} // namespace
+
+SymmetricEigen<2>
+symmetricEigen(const Eigen::Matrix2d& matrix)
+{
+  return decomposed<2>(matrix);
+}
+
+SymmetricEigen<3>
+symmetricEigen(const Eigen::Matrix3d& matrix)
+{
+  return decomposed<3>(matrix);
 }
 
 } // namespace pcl::sedr

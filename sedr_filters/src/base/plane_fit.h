@@ -4,6 +4,8 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <vector>
 
@@ -58,5 +60,18 @@ horizontalSlab(double height)
   slab.plane = Eigen::Vector4d(0, 0, 1, -height);
   return slab;
 }
+
+/** @brief Eigenvalues of a symmetric matrix, ascending, and their unit vectors, one a
+ * column. */
+template <int N>
+struct SymmetricEigen {
+  Eigen::Matrix<double, N, 1> values;
+  Eigen::Matrix<double, N, N> vectors;
+};
+
+/** @brief Decomposes a symmetric matrix; compiled once, since Eigen's solver is large.
+ */
+SymmetricEigen<2> symmetricEigen(const Eigen::Matrix2d& matrix);
+SymmetricEigen<3> symmetricEigen(const Eigen::Matrix3d& matrix);
 
 } // namespace pcl::sedr

@@ -4,7 +4,7 @@
 #include "../base/number_text.h"
 #include "../plan/plan_geometry.h"
 
-#include "../walls/tilted_walls.h"
+#include "../walls/plan_walls.h"
 #include <pcl/sedr_filters/plan_editor.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one

@@ -3,12 +3,22 @@
 
 #include "cell_set.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief Returns the number of cells of a length, rounded, at least `least`. Lengths
+ * in metres thus hold for any cell size. */
+inline int
+cellsFor(double metres, double cell_size, int least = 1)
+{
+  return std::max(least, static_cast<int>(std::lround(metres / cell_size)));
+}
 
 /** @brief A rectangle of cells. */
 struct CellBox {

@@ -3,7 +3,7 @@
 
 #include "../base/number_text.h"
 #include "../base/printable.h"
-#include "../walls/tilted_walls.h"
+#include "../walls/plan_walls.h"
 #include "plan_geometry.h"
 
 #include <pcl/sedr_filters/plan_editor.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_surfaces.h"
 
-#include "../walls/tilted_walls.h"
+#include "../walls/plan_walls.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "../plan/room_lookup.h"
 #include "../rays/cube_points.h"
 
-#include "../walls/tilted_walls.h"
+#include "../walls/plan_walls.h"
 #include <pcl/sedr_filters/impl/refinement.h>
 
 #include <algorithm>

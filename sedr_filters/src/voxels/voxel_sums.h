@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "voxel_frame.h"
+#include "voxel_table.h"
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/types.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../plan/plan_geometry.h"
 
-#include "tilted_walls.h"
+#include "plan_walls.h"
 
 #include <Eigen/LU>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "patch_points.h"
+#include "surface_fit.h"
 
 #include "../scan/scan_excerpt.h"
 #include "sedr_filters/src/base/parallel.h"

@@ -3,7 +3,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <algorithm>
 #include <cmath>

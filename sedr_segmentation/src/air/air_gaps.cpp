@@ -1,19 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "air_gaps.h"
 
-#include "hidden_air.h"
-#include "low_air.h"
-#include "slabs.h"
-#include "veils.h"
+#include "air_labelling.h"
 
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 
 namespace {
+
+/** @brief Which gaps are air. Those with headroom are. Lower ones are the air above a
+ * table, below a sloping roof or a beam, or the void within a slab: one labelling, see
+ * AirLabelling, tells which go on from tall air below the same ceiling. The void within
+ * a slab meets that of a room only where the ceiling was not seen.
+ * @return 1 for each gap that is air, else 0. O(gaps) and a minimum cut. */
+std::vector<std::uint8_t>
+airOf(const AirGaps& gaps)
+{
+  const std::int32_t step = gaps.voxels(gaps.parameters().same_ceiling);
+  std::vector<std::uint8_t> is_air(gaps.size(), 1);
+  std::vector<std::size_t> place(gaps.size(), 0); // of a low gap
+  std::vector<std::uint32_t> low;
+  for (std::uint32_t g = 0; g < gaps.size(); ++g)
+    if (!gaps.isTall(gaps[g])) {
+      place[g] = low.size();
+      low.push_back(g);
+      is_air[g] = 0;
+    }
+  AirLabelling labelling(low.size(), gaps);
+  for (const std::uint32_t g : low)
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t o = gaps.link(g, d);
+      if (o == AirGaps::none || std::abs(gaps[o].high - gaps[g].high) > step)
+        labelling.addEnd(place[g]);
+      else if (is_air[o] != 0)
+        labelling.addKnown(place[g]);
+      else
+        labelling.addOther(place[g], place[o]);
+    }
+  const std::vector<std::uint8_t> is_added = labelling.solve();
+  for (std::size_t k = 0; k < low.size(); ++k)
+    is_air[low[k]] = is_added[k];
+  return is_air;
+}
 
 constexpr std::size_t gaps_a_block = 16384;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slabs.h"
+#include "air_gaps.h"
 
-#include "ceiling_dip.h"
+#include "air_measures.h"
 #include "height_counts.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "border_steps.h"
 
 #include "../shapes/shape_fit.h"
-#include "../surface/riser_bins.h"
+#include "../surface/cell_points.h"
 
 #include "../curves/contour.h"
 #include "sedr_filters/src/base/quantiles.h"

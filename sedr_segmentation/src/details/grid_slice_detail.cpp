@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/base/plane_fit.h"
-#include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 
 #include <pcl/impl/instantiate.hpp>
@@ -18,21 +17,14 @@ namespace {
 std::string
 problemOf(const SliceParameters& parameters)
 {
-  const auto bad = [](const char* what, double value) {
-    return std::string(what) + ", it is " + std::to_string(value);
-  };
-  const auto isPositive = [](double value) {
-    return value > 0 && std::isfinite(value);
-  };
-  if (!isPositive(parameters.cell_size))
-    return bad("the grid size must be above 0 m", parameters.cell_size);
-  if (!isPositive(parameters.tolerance))
-    return bad("the distance threshold must be above 0 m", parameters.tolerance);
-  if (!isPositive(parameters.slice_thickness))
-    return bad("the slice thickness must be above 0 m", parameters.slice_thickness);
   if (parameters.trials < 1 || parameters.trials > 3)
-    return bad("the number of trials must be from 1 to 3", parameters.trials);
-  return problemOf(parameters.priors);
+    return "the number of trials must be from 1 to 3, it is " +
+           std::to_string(parameters.trials);
+  const std::string problem =
+      lengthProblem({{"the grid size", parameters.cell_size},
+                     {"the distance threshold", parameters.tolerance},
+                     {"the slice thickness", parameters.slice_thickness}});
+  return problem.empty() ? problemOf(parameters.priors) : problem;
 }
 
 std::string

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_borders.h"
 
-#include "gap_distance.h"
-#include "wall_beside.h"
+#include "../air/air_measures.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,15 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_warning.h>
-
-#include "room_ceilings.h"
+#include "../faces/room_cells.h"
+#include "../sheets/sheet_fit.h"
 #include "room_shares.h"
 
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
+
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief Returns what was seen along the outline of a room and of its columns, a
+ * sample a cell. O(samples x points near them).
+ * @param near distance of surfaces from their line, metres */
+std::vector<FittedBoundary> outlineSamples(const PlanRoom& room,
+                                           const RoomCells& cells,
+                                           double spacing,
+                                           double near);
+
+/** @brief Measures the noise of walls: the scatter about lines of 1.2 m, and how far
+ * deviations from them are correlated (their autocorrelation, summed). */
+WallNoise wallNoise(const std::vector<FittedBoundary>& boundaries, double spacing);
+
+/** @brief What an outline and the air that was seen do not share, square metres. */
+struct OutlineCover {
+  double lost = 0;   ///< seen outside of all outlines, not in a reveal
+  double unseen = 0; ///< inside, though nobody saw it
+};
+
+/** @brief Compares the outline of a room with the air that was seen of it.
+ * @param others all rooms of the storey
+ * @param max_wall thickness: what is nearer to the outline is a reveal, metres
+ * O(cells x elements). */
+OutlineCover coverOf(const PlanRoom& room,
+                     const std::vector<const PlanRoom*>& others,
+                     const RoomCells& cells,
+                     const CellGrid& grid,
+                     double max_wall);
+
+/** @brief Moves those straight walls of a room that lean by more than 1.5 degrees from
+ * where they meet the ceiling to their feet, with their tilts. adjustPlan() decides
+ * whether they stay so, and of smaller tilts.
+ *
+ * Patches that cover 1.5 m2 and 1.5 m of height, and begin within 1 m of the floor,
+ * must be on the wall: higher ones are roof slopes.
+ * @param[in,out] room with its walls at the ceiling, and the plane of its floor */
+void moveToFeet(const WallSlopes& slopes,
+                const CellGrid& grid,
+                const RoomCells& cells,
+                PlanRoom& room);
+
+/** @brief The ceiling, or the floor, of a room that is more than a plane. */
+struct RoomSheet {
+  std::uint32_t room = 0; ///< PlanRoom::id
+  std::vector<Eigen::Vector3d> points;
+  FacetSheet sheet{}; ///< fitted to them
+  bool is_floor = false;
+};
+
+/** @brief Sets the facets of ceilings and floors.
+ * @param scan the points that the facets are fitted to, the raw ones if known
+ * @param indices those to use; empty: all */
+void giveCeilings(std::vector<RoomSheet> sheets,
+                  const PointView& scan,
+                  const std::vector<int>& indices,
+                  unsigned threads,
+                  Floorplan& plan);
 
 /** @brief The rooms of a plan as they are labelled. */
 struct FittedPlan {

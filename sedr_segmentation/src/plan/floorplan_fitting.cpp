@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../adjust/plan_adjustment.h"
-#include "../curves/joined_elements.h"
+#include "../curves/plan_curve.h"
 #include "../scan/scan_excerpt.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
@@ -8,32 +8,67 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_check.h"
-#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
 
+#include <pcl/impl/instantiate.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 
 namespace {
 
+/** @brief Whether two elements follow one curve, or one of them is a step of no length
+ * that is left between two lines that became one. */
+bool
+areOfOneCurve(const PlanElement& a, const PlanElement& b)
+{
+  if ((a.start - a.end).norm() < same_place || (b.start - b.end).norm() < same_place)
+    return !a.isArc() && !b.isArc();
+  if (a.isArc() != b.isArc())
+    return false;
+  if (a.isArc())
+    return (a.centre - b.centre).norm() < same_line &&
+           std::abs(a.radius - b.radius) < same_line &&
+           a.counter_clockwise == b.counter_clockwise;
+  const PlanCurve line = carrierOf(a);
+  return line.distance(b.end) < same_line && line.direction.dot(b.end - b.start) > 0;
+}
+
+/** @brief Makes one element of neighbours that follow one line or circle the same
+ * way, with the inliers of that curve. O(n squared) at most. */
+void
+joinNeighbours(PlanLoop& loop)
+{
+  std::vector<PlanElement>& elements = loop.elements;
+  for (std::size_t k = 0; k < elements.size() && elements.size() > 2;) {
+    const std::size_t next = (k + 1) % elements.size();
+    if (!areOfOneCurve(elements[k], elements[next])) {
+      ++k;
+      continue;
+    }
+    elements[k].end = elements[next].end;
+    elements[k].inliers = std::max(elements[k].inliers, elements[next].inliers);
+    elements[k].accuracy = worse(elements[k].accuracy, elements[next].accuracy);
+    elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(next));
+    k = next == 0 ? elements.size() : k;
+  }
+}
+
 std::string
 problemOf(const RoomFitParameters& p)
 {
-  struct {
-    const char* what;
-    double value;
-  } const positive[] = {
-      {"the distance threshold", p.tolerance},
-      {"the grid size", p.cell_size},
-      {"the minimum radius", p.minimum_radius},
-  };
-  for (const auto& [what, value] : positive)
-    if (!(value > 0) || !std::isfinite(value))
-      return std::string(what) + " must be above 0 m, it is " + std::to_string(value);
+  const std::string problem = lengthProblem({{"the distance threshold", p.tolerance},
+                                             {"the grid size", p.cell_size},
+                                             {"the minimum radius", p.minimum_radius}});
+  if (!problem.empty())
+    return problem;
   if (!(p.minimum_detail_area > 0))
     return "the minimum detail area must be above 0 square metres, it is " +
            std::to_string(p.minimum_detail_area);

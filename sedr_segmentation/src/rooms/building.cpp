@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reflections.h"
 #include "room_description.h"
 #include "room_gaps.h"
-#include "room_points.h"
+#include "room_planes.h"
 
 #include "../scan/scan_excerpt.h"
-#include "../stairs/stairs.h"
+#include "../stairs/stair_flights.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_filters/plan_measures.h>

@@ -6,7 +6,7 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_filters/src/base/parallel.h"
-#include "sedr_filters/src/grids/cell_count.h"
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_up.h"
 #include "air_ends.h"
-#include "unit_check.h"
+#include "scan_check.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shape_distance.h"
+#include "shape_fit.h"
 
 #include "sedr_filters/src/plan/plan_geometry.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facet_choice.h"
 
-#include "sheet_relief.h"
+#include "sheet_fit.h"
 
 #include "sedr_filters/src/base/parallel.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_proposals.h"
 
-#include "../surface/cell_pieces.h"
+#include "../surface/cell_points.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>

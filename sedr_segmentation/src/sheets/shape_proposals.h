@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../labelling/facet_evidence.h"
+#include "../labelling/facet_labels.h"
 #include "../shapes/shape_fit.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sheet_pieces.h"
+#include "facet_choice.h"
 
-#include "../surface/cell_pieces.h"
+#include "../surface/cell_points.h"
 
 #include <algorithm>
 #include <cmath>

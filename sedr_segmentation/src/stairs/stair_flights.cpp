@@ -4,12 +4,219 @@
 #include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace pcl::sedr {
+
+namespace {
+
+/** @brief The cells of a patch along a direction and across it. */
+Eigen::AlignedBox2d
+boxAlong(const Eigen::Vector2d& way, const LevelPatch& patch)
+{
+  const auto [front, back] = patch.extent(way);
+  const auto [right, left] = patch.extent({-way.y(), way.x()});
+  return {Eigen::Vector2d(front, right), Eigen::Vector2d(back, left)};
+}
+
+/** @brief Looks for equal steps along a direction. */
+class StraightSearch {
+public:
+  StraightSearch(const std::vector<Tread>& treads,
+                 const std::vector<LevelPatch>& patches,
+                 const std::vector<std::uint8_t>& is_used,
+                 const Eigen::Vector2d& way)
+      : way_(way)
+  {
+    const Eigen::Vector2d reach(stair_priors.max_unseen * stair_priors.max_going,
+                                stair_priors.near);
+    Eigen::AlignedBox2d around;
+    for (const Tread& tread : treads)
+      around.extend(boxAlong(way, *tread.patch));
+    around = {around.min() - reach, around.max() + reach};
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      if (const Strip strip{&patches[p], boxAlong(way, patches[p])};
+          is_used[p] == 0 && patches[p].is_tread && around.intersects(strip.box))
+        strips_.push_back(strip);
+  }
+
+  /** @brief The steps that explain most, from each two patches a few steps apart. */
+  StraightSteps best() const
+  {
+    StraightSteps most;
+    for (const Strip& a : strips_)
+      for (const Strip& b : strips_)
+        for (int n = 1; n <= stair_priors.max_missing + 1; ++n) {
+          StraightSteps steps =
+              explain({way_, a.box.min().x(), (b.box.min() - a.box.min()).x() / n,
+                       a.patch->z, (b.patch->z - a.patch->z) / n});
+          if (steps.nats > most.nats)
+            most = std::move(steps);
+        }
+    for (bool is_better = !most.treads.empty(); is_better;) {
+      StraightSteps fitted = explain(through(most.treads));
+      is_better = fitted.nats > most.nats + 1e-6;
+      if (is_better)
+        most = std::move(fitted);
+    }
+    return most;
+  }
+
+private:
+  struct Strip {
+    const LevelPatch* patch = nullptr;
+    Eigen::AlignedBox2d box;
+  };
+
+  StraightSteps through(const std::vector<Tread>& treads) const
+  {
+    std::vector<double> fronts;
+    std::vector<double> heights;
+    for (const Tread& tread : treads) {
+      fronts.push_back(tread.patch->extent(way_)[0]);
+      heights.push_back(tread.patch->z);
+    }
+    const Eigen::Vector2d front = lineThrough(treads, fronts);
+    const Eigen::Vector2d height = lineThrough(treads, heights);
+    return {way_, front[0], front[1], height[0], height[1]};
+  }
+
+  /** @brief Sets what steps explain, and its nats; nothing if one cannot climb them. */
+  StraightSteps explain(StraightSteps steps) const
+  {
+    if (steps.rise < stair_priors.min_rise || steps.rise > stair_priors.max_rise ||
+        steps.going < stair_priors.min_going || steps.going > stair_priors.max_going)
+      return steps;
+    const auto nats = [&](const Strip& strip, int number, double z) {
+      const double front = strip.box.min().x() - steps.front - number * steps.going;
+      const double back = std::max(0.0, strip.box.max().x() - strip.box.min().x() +
+                                            front - steps.going);
+      return stair_priors.step_gain - (std::pow(z / stair_priors.level_sigma, 2) +
+                                       std::pow(front / stair_priors.edge_sigma, 2) +
+                                       std::pow(back / stair_priors.edge_sigma, 2)) /
+                                          2;
+    };
+    std::map<int, double> best;       // of the patches of a tread one counts
+    std::map<int, double> undersides; // by their depth below the treads
+    for (const Strip& strip : strips_) {
+      const double z = strip.patch->z - steps.level;
+      const auto number = static_cast<int>(std::lround(z / steps.rise));
+      if (const double gain = nats(strip, number, z - number * steps.rise); gain > 0) {
+        double& so_far = best[number];
+        so_far = std::max(so_far, gain);
+        steps.explained.push_back(strip.patch);
+        steps.treads.push_back({number, strip.patch});
+        continue;
+      }
+      const auto above = static_cast<int>(
+          std::lround((strip.box.min().x() - steps.front) / steps.going));
+      const double depth = above * steps.rise - z;
+      if (const double gain = nats(strip, above, 0);
+          gain > 0 && depth > steps.rise / 2 && depth < stair_priors.near) {
+        steps.explained.push_back(strip.patch);
+        undersides[static_cast<int>(depth / (4 * stair_priors.level_sigma))] += gain;
+      }
+    }
+    if (best.size() < 2)
+      return steps;
+    for (const auto& tread : best)
+      steps.nats += tread.second;
+    double most = stair_priors.step_gain; // for how thick the flight is
+    for (const auto& underside : undersides)
+      most = std::max(most, underside.second);
+    steps.nats += most - stair_priors.step_gain;
+    std::stable_sort(
+        steps.treads.begin(), steps.treads.end(),
+        [](const Tread& a, const Tread& b) { return a.number < b.number; });
+    return steps;
+  }
+
+  Eigen::Vector2d way_;
+  std::vector<Strip> strips_;
+};
+
+/** @brief Leaves of the treads those that no floor parts from most of them. */
+void
+endAtFloors(const RoomFloors& floors, StraightSteps& steps)
+{
+  std::vector<Tread> part;
+  std::vector<Tread> most;
+  for (const Tread& tread : steps.treads) {
+    if (!part.empty() && floors.part(part.back().patch->middle, part.back().patch->z,
+                                     tread.patch->middle, tread.patch->z,
+                                     tread.number - part.back().number))
+      part.clear();
+    part.push_back(tread);
+    if (part.size() > most.size())
+      most = part;
+  }
+  steps.treads = std::move(most);
+}
+
+} // namespace
+
+Eigen::Vector2d
+lineThrough(const std::vector<Tread>& treads, const std::vector<double>& values)
+{
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (std::size_t k = 0; k < treads.size(); ++k) {
+    const Eigen::Vector2d row(1, treads[k].number);
+    normal += row * row.transpose();
+    right += values[k] * row;
+  }
+  return normal.inverse() * right;
+}
+
+std::optional<StraightSteps>
+straightSteps(const std::vector<Tread>& treads,
+              const std::vector<LevelPatch>& patches,
+              const std::vector<std::uint8_t>& is_used,
+              const RoomFloors& floors,
+              std::optional<double> wall)
+{
+  const auto alongAngle = [&](double angle) {
+    return StraightSearch(treads, patches, is_used,
+                          Eigen::Vector2d(std::cos(angle), std::sin(angle)))
+        .best();
+  };
+  const Eigen::Vector2d climb =
+      treads.back().patch->middle - treads.front().patch->middle;
+  const double middle = std::atan2(climb.y(), climb.x());
+  // Treads that were seen in part need not lie behind each other. Where several
+  // directions explain as much, their mean is nearest.
+  double weights = 0;
+  double angles = 0;
+  for (int k = -20; k <= 20; ++k) {
+    const double angle = middle + 1.5 * k * M_PI / 180;
+    const double weight = std::exp(alongAngle(angle).nats);
+    weights += weight;
+    angles += weight * angle;
+  }
+  StraightSteps best = alongAngle(angles / weights);
+  best.nats -= stair_priors.oblique;
+  for (int k = 0; wall && k < 4; ++k)
+    if (const double angle = *wall + k * M_PI / 2; std::cos(angle - middle) > 0.5)
+      if (StraightSteps steps = alongAngle(angle); steps.nats > best.nats)
+        best = std::move(steps);
+  // Treads that turn have a direction each: those that the steps leave out.
+  const auto n = static_cast<double>(treads.size());
+  const auto left_out = static_cast<double>(
+      std::count_if(treads.begin(), treads.end(), [&](const Tread& tread) {
+        return std::find(best.explained.begin(), best.explained.end(), tread.patch) ==
+               best.explained.end();
+      }));
+  if (left_out * (stair_priors.step_gain - std::log(n) / 2) > stair_priors.oblique)
+    return std::nullopt;
+  endAtFloors(floors, best);
+  return best;
+}
 
 namespace {
 
@@ -80,27 +287,6 @@ turningFlight(const std::vector<Tread>& treads)
   flight.risers.insert(flight.risers.begin(), nextRiser(flight, true));
   flight.risers.push_back(nextRiser(flight, false));
   return flight;
-}
-
-std::vector<std::vector<Tread>>
-treadsOf(const std::vector<StairStep>& chain, const std::vector<LevelPatch>& patches)
-{
-  std::vector<std::vector<Tread>> flights(1);
-  const auto add = [&](std::size_t patch, int steps) {
-    std::vector<Tread>& treads = flights.back();
-    if (!patches[patch].is_tread)
-      flights.emplace_back();
-    else
-      treads.push_back(
-          {treads.empty() ? 0 : treads.back().number + steps, &patches[patch]});
-  };
-  add(chain.front().from, 0);
-  for (const StairStep& step : chain)
-    add(step.to, step.steps);
-  flights.erase(std::remove_if(flights.begin(), flights.end(),
-                               [](const auto& treads) { return treads.size() < 2; }),
-                flights.end());
-  return flights;
 }
 
 RoomFloors::Floor

@@ -1,19 +1,161 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stairs.h"
 
+#include "level_patches.h"
 #include "stair_flights.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 
 namespace {
+
+/** @brief A step from one patch up to another, also over treads that nobody saw. */
+struct StairStep {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  int steps = 1;
+  double rise = 0;                                ///< of each, metres
+  Eigen::Vector2d way = Eigen::Vector2d::UnitX(); ///< its direction in plan
+  double going = 0;                               ///< of each, metres
+  bool is_on_treads = false;                      ///< both ends are treads
+  double odds = 0;            ///< of the best chain up to here, nats
+  std::ptrdiff_t before = -1; ///< the step before it there
+};
+
+/** @brief Nats that a change of rise, going and direction costs. */
+double
+change(const StairStep& a, const StairStep& b)
+{
+  double squares = std::pow((b.rise - a.rise) / stair_priors.rise_sigma, 2);
+  if (a.is_on_treads && b.is_on_treads) {
+    const double turn =
+        std::atan2(a.way.x() * b.way.y() - a.way.y() * b.way.x(), a.way.dot(b.way));
+    squares += std::pow((b.going - a.going) / stair_priors.going_sigma, 2) +
+               std::pow(turn / stair_priors.turn_sigma, 2) / std::max(a.steps, b.steps);
+  }
+  return squares / 2;
+}
+
+/** @brief Chains of patches, each a step above the one before. O(p^2) for p patches. */
+class StairChains {
+public:
+  StairChains(const std::vector<LevelPatch>& patches, const RoomFloors& floors)
+      : patches_(patches)
+      , floors_(floors)
+      , is_used_(patches.size(), 0)
+  {
+    for (std::size_t a = 0; a < patches.size(); ++a)
+      for (std::size_t b = a + 1;
+           b < patches.size() &&
+           patches[b].z - patches[a].z <=
+               (stair_priors.max_missing + 1) * stair_priors.max_rise;
+           ++b)
+        for (int steps = 1; steps <= stair_priors.max_missing + 1; ++steps)
+          addSteps(a, b, steps);
+    // Patches are by height: of the steps up to a place all before it are known.
+    std::stable_sort(
+        steps_.begin(), steps_.end(),
+        [](const StairStep& a, const StairStep& b) { return a.to < b.to; });
+  }
+
+  /** @brief Returns the best chain of patches that no other has, by dynamic
+   * programming from below, its odds with its last step; empty if none is more likely
+   * than not. */
+  std::vector<StairStep> next()
+  {
+    std::vector<std::vector<std::size_t>> arriving(patches_.size());
+    double most = 0;
+    std::ptrdiff_t last = -1;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      StairStep& step = steps_[k];
+      if (is_used_[step.from] != 0 || is_used_[step.to] != 0)
+        continue;
+      const double own =
+          stair_priors.step_gain - stair_priors.missing * (step.steps - 1);
+      step.odds = own - stair_priors.chain_cost + floorGain(step, true);
+      step.before = -1;
+      for (const std::size_t o : arriving[step.from])
+        if (const double odds = own + steps_[o].odds - change(steps_[o], step);
+            odds > step.odds) {
+          step.odds = odds;
+          step.before = static_cast<std::ptrdiff_t>(o);
+        }
+      arriving[step.to].push_back(k);
+      if (const double odds = step.odds + floorGain(step, false); odds > most) {
+        most = odds;
+        last = static_cast<std::ptrdiff_t>(k);
+      }
+    }
+    std::vector<StairStep> chain;
+    for (; last >= 0; last = steps_[static_cast<std::size_t>(last)].before)
+      chain.push_back(steps_[static_cast<std::size_t>(last)]);
+    if (!chain.empty())
+      chain.front().odds = most;
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+  /** @brief Takes a tread, and what may be its underside, out of further chains. */
+  void use(const LevelPatch& tread)
+  {
+    for (std::size_t p = 0; p < patches_.size(); ++p)
+      if (const LevelPatch& patch = patches_[p];
+          &patch == &tread ||
+          (patch.is_tread && std::abs(patch.z - tread.z) < stair_priors.near &&
+           (patch.middle - tread.middle).norm() < stair_priors.near))
+        is_used_[p] = 1;
+  }
+
+  /** @brief Returns 1 for each patch that was taken out. */
+  const std::vector<std::uint8_t>& used() const { return is_used_; }
+
+private:
+  void addSteps(std::size_t a, std::size_t b, int steps)
+  {
+    const LevelPatch& from = patches_[a];
+    const LevelPatch& to = patches_[b];
+    StairStep step{a, b, steps, (to.z - from.z) / steps};
+    if (step.rise < stair_priors.min_rise || step.rise > stair_priors.max_rise ||
+        from.box.exteriorDistance(to.box) > steps * stair_priors.max_going ||
+        (steps > 1 && !(from.is_tread && to.is_tread)) ||
+        floors_.part(from.middle, from.z, to.middle, to.z, steps))
+      return;
+    step.is_on_treads = from.is_tread && to.is_tread;
+    step.way = (to.middle - from.middle).normalized();
+    step.going = (to.middle - from.middle).norm() / steps;
+    if (!step.is_on_treads ||
+        (step.going >= stair_priors.min_going && step.going <= stair_priors.max_going))
+      steps_.push_back(step);
+  }
+
+  double floorGain(const StairStep& step, bool is_foot) const
+  {
+    const LevelPatch& patch = patches_[is_foot ? step.from : step.to];
+    const double sign = is_foot ? -1 : 1;
+    for (const int away : {1, 2})
+      if (!patch.is_tread ||
+          floors_.near(patch.middle + sign * away * stair_priors.max_going * step.way,
+                       patch.z + sign * away * step.rise)
+                  .room != 0)
+        return stair_priors.floor_gain;
+    return 0;
+  }
+
+  const std::vector<LevelPatch>& patches_;
+  const RoomFloors& floors_;
+  std::vector<std::uint8_t> is_used_;
+  std::vector<StairStep> steps_; ///< by where they lead to
+};
 
 /** @brief Adds flights to the nearest link between the floors that they join, or as a
  * new one. Where a flight ends in the dark, its link tells how far it leads.
@@ -73,6 +215,28 @@ dropVoids(std::vector<PlanStair>& stairs)
            });
   };
   stairs.erase(std::remove_if(stairs.begin(), stairs.end(), isVoid), stairs.end());
+}
+
+/** @brief Returns the treads of the flights of a chain, which landings part. */
+std::vector<std::vector<Tread>>
+treadsOf(const std::vector<StairStep>& chain, const std::vector<LevelPatch>& patches)
+{
+  std::vector<std::vector<Tread>> flights(1);
+  const auto add = [&](std::size_t patch, int steps) {
+    std::vector<Tread>& treads = flights.back();
+    if (!patches[patch].is_tread)
+      flights.emplace_back();
+    else
+      treads.push_back(
+          {treads.empty() ? 0 : treads.back().number + steps, &patches[patch]});
+  };
+  add(chain.front().from, 0);
+  for (const StairStep& step : chain)
+    add(step.to, step.steps);
+  flights.erase(std::remove_if(flights.begin(), flights.end(),
+                               [](const auto& treads) { return treads.size() < 2; }),
+                flights.end());
+  return flights;
 }
 
 /** @brief The direction of the walls around treads, radians modulo a quarter turn: that

@@ -5,8 +5,115 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
+
+std::vector<std::vector<std::size_t>>
+piecesOf(const SheetGrid& grid, const std::vector<std::uint8_t>& is_in)
+{
+  auto pieces = piecesOf(grid, std::vector<std::int32_t>(is_in.begin(), is_in.end()));
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                              [&](const auto& piece) { return !is_in[piece.front()]; }),
+               pieces.end());
+  return pieces;
+}
+
+std::vector<std::vector<std::size_t>>
+piecesOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
+{
+  std::vector<std::uint8_t> is_known(grid.count(), 0);
+  std::vector<std::vector<std::size_t>> pieces;
+  for (std::size_t first = 0; first < grid.count(); ++first) {
+    if (is_known[first])
+      continue;
+    std::vector<std::size_t> piece{first};
+    is_known[first] = 1;
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      grid.forAllSides(piece[k], [&](std::size_t next) {
+        if (label[next] != label[first] || is_known[next])
+          return;
+        is_known[next] = 1;
+        piece.push_back(next);
+      });
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+void
+fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
+{
+  std::vector<std::size_t> front;
+  for (std::size_t cell = 0; cell < label.size(); ++cell)
+    if (label[cell] >= 0)
+      front.push_back(cell);
+  for (std::size_t k = 0; k < front.size(); ++k)
+    grid.forAllSides(front[k], [&](std::size_t beside) {
+      if (label[beside] >= 0)
+        return;
+      label[beside] = label[front[k]];
+      front.push_back(beside);
+    });
+}
+
+RiserBins::RiserBins(const SheetGrid& grid,
+                     const std::vector<std::uint8_t>& domain,
+                     const std::vector<Eigen::Vector3d>& points,
+                     double low,
+                     double high)
+    : bottom_(low)
+{
+  constexpr double bins = 64;
+  bin_ = std::max(bin_, (high - low) / (bins - 1));
+  own_.assign(grid.count(), 0);
+  for (const Eigen::Vector3d& p : points)
+    if (const std::size_t cell = grid.at(p.head<2>());
+        cell < own_.size() && p.z() >= low && p.z() <= high)
+      own_[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
+  is_at_wall_.assign(grid.count(), 0);
+  for (std::size_t cell = 0; cell < own_.size(); ++cell)
+    grid.forAllWithin(cell, to_wall, [&](std::size_t next) {
+      is_at_wall_[cell] = is_at_wall_[cell] | !domain[next];
+    });
+  seen_.assign(grid.count(), 0);
+  for (std::size_t cell = 0; cell < own_.size(); ++cell) {
+    const auto add = [&](std::size_t near) {
+      if (!domain[cell] || !is_at_wall_[near])
+        seen_[cell] |= own_[near];
+    };
+    add(cell);
+    grid.forAllSides(cell, add);
+  }
+}
+
+double
+RiserBins::share(std::size_t cell, std::size_t next, double low, double high) const
+{
+  if (high - low < min_step)
+    return 0;
+  const double middle = std::floor(((low + high) / 2 - bottom_) / bin_);
+  const double first = std::min(middle, std::ceil((low + margin - bottom_) / bin_));
+  const double last =
+      std::max(middle, std::floor((high - margin - bottom_) / bin_) - 1);
+  const auto from = static_cast<int>(std::clamp(first, 0.0, 63.0));
+  const auto count = static_cast<int>(std::clamp(last, 0.0, 63.0)) - from + 1;
+  const std::uint64_t between = (~std::uint64_t{0} >> (64 - count)) << from;
+  return static_cast<double>(
+             __builtin_popcountll((seen_[cell] | seen_[next]) & between)) /
+         count;
+}
+
+bool
+RiserBins::isSeen(std::size_t cell, double low, double high) const
+{
+  const auto from =
+      static_cast<int>(std::clamp(std::ceil((low - bottom_) / bin_), 0.0, 64.0));
+  const auto to =
+      static_cast<int>(std::clamp(std::floor((high - bottom_) / bin_), 0.0, 64.0));
+  return from < to &&
+         (own_[cell] & (~std::uint64_t{0} >> (64 - to + from)) << from) != 0;
+}
 
 CellPoints::CellPoints(const SheetGrid& grid,
                        const std::vector<std::uint8_t>& domain,

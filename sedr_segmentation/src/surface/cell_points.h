@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../shapes/shape_distance.h"
+#include "../shapes/shape_fit.h"
 #include "sheet_grid.h"
 
 #include <Eigen/Core>
@@ -12,6 +12,55 @@
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief Connected cells of a set, eight neighbours each. */
+std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
+                                               const std::vector<std::uint8_t>& is_in);
+
+/** @brief The cells of each label in parts that hang together by sides. O(n). */
+std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
+                                               const std::vector<std::int32_t>& label);
+
+/** @brief Gives cells whose label is below 0 that of the nearest one with, by steps. */
+void fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label);
+
+/** @brief At which heights points were seen in and beside each cell of a grid: which
+ * share of a step a vertical face closes. 64 bins, at least a voxel high. */
+class RiserBins {
+public:
+  static constexpr double min_step = 0.1; ///< metres: lower steps have no bin of
+                                          ///< their own
+  static constexpr double margin = 0.03;  ///< metres: noise of the surfaces
+  static constexpr int to_wall = 2;       ///< cells beside which points may be a wall's
+
+  /** @param domain cells of the room: points in those at its rim are of walls, and no
+   * riser's within it
+   * @param points of all that was seen in and near the room; those below `low` or
+   * above `high` are left out. O(n). */
+  RiserBins(const SheetGrid& grid,
+            const std::vector<std::uint8_t>& domain,
+            const std::vector<Eigen::Vector3d>& points,
+            double low,
+            double high);
+
+  /** @brief Returns the share of the bins between two heights, without those of the
+   * surfaces themselves, that hold points at the border of two cells; 0 if the step is
+   * too low to tell. */
+  double share(std::size_t cell, std::size_t next, double low, double high) const;
+
+  /** @brief Checks whether a cell lies at the rim of the room. */
+  bool isAtWall(std::size_t cell) const { return is_at_wall_[cell] != 0; }
+
+  /** @brief Checks whether points were seen in a cell between two heights. */
+  bool isSeen(std::size_t cell, double low, double high) const;
+
+private:
+  double bottom_ = 0;
+  double bin_ = 0.05;               ///< metres
+  std::vector<std::uint64_t> own_;  ///< of each cell, from the bottom up
+  std::vector<std::uint64_t> seen_; ///< in and beside it, of no wall
+  std::vector<std::uint8_t> is_at_wall_;
+};
 
 /** @brief A ball around the points of a cell. */
 struct CellBall {

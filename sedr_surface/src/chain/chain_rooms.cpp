@@ -4,10 +4,10 @@
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
-#include "sedr_segmentation/src/sheets/floor_pieces.h"
+#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,7 @@
 #include "chain_stages.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
-#include "sedr_segmentation/src/scan/cell_fill.h"
-#include "sedr_segmentation/src/scan/unit_check.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "seen_surfaces.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>

@@ -2,9 +2,8 @@
 #include "seen_surfaces.h"
 
 #include "sedr_filters/src/plan/plan_geometry.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 #include "sedr_segmentation/src/curves/place_sums.h"
-#include "sedr_segmentation/src/curves/plan_curve.h"
 
 #include <algorithm>
 #include <array>

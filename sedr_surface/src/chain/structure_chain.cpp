@@ -2,9 +2,8 @@
 #include "../mesh/mesh_repair.h"
 #include "chain_stages.h"
 #include "sedr_filters/src/rays/sight_lines.h"
-#include "sedr_segmentation/src/scan/missing_surfaces.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_up.h"
-#include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>

@@ -7,7 +7,6 @@
 #include "dimension_rows.h"
 #include "plan_layers.h"
 #include "sedr_filters/src/walls/plan_walls.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
 #include "sheet_layout.h"
 
 #include <pcl/sedr_filters/floorplan.h>

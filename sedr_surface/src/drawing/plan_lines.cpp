@@ -6,7 +6,6 @@
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/plan_walls.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

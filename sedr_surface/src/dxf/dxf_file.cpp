@@ -10,16 +10,16 @@ void
 DxfBlock::viewport(const char* layer, const View& view, int number)
 {
   constexpr int always = 32768;
-  begin("VIEWPORT", layer, "AcDbViewport").place(view.box.center());
-  entities_.group(40, view.box.sizes().x()).group(41, view.box.sizes().y());
-  entities_.group(68, number).group(69, number);
-  entities_.group(12, view.middle.x()).group(22, view.middle.y());
-  for (const int code : {13, 14, 15}) // snap and grid
-    entities_.group(code, code == 13 ? 0.0 : 10.0)
-        .group(code + 10, code == 13 ? 0.0 : 10.0);
-  entities_.zeros({16, 26}).group(36, 1.0).place({0, 0}, 17);
-  entities_.group(42, 50.0).zeros({43, 44}).group(45, view.height);
-  entities_.group(50, 0.0).group(51, view.degrees).group(72, 100).group(90, always);
+  const Eigen::Vector2d size = view.box.sizes();
+  begin("VIEWPORT", layer, "AcDbViewport")
+      .place(view.box.center())
+      .group(40, size.x(), 41, size.y(), 68, number, 69, number)
+      .group(12, view.middle.x(), 22, view.middle.y())
+      .group(13, 0, 23, 0, 14, 10, 24, 10, 15, 10, 25, 10) // snap and grid
+      .group(16, 0, 26, 0, 36, 1)
+      .place({0, 0}, 17)
+      .group(42, 50, 43, 0, 44, 0, 45, view.height)
+      .group(50, 0, 51, view.degrees, 72, 100, 90, always);
 }
 
 DxfText
@@ -30,16 +30,14 @@ DxfFile::objects()
   const std::string layouts = handles_.next();
   DxfText objects;
   const auto begin = [&](const std::string& handle, const std::string& owner) {
-    objects.group(0, "DICTIONARY").group(5, handle).group(330, owner);
-    objects.group(100, "AcDbDictionary").group(281, 1);
+    objects.group(0, "DICTIONARY", 5, handle, 330, owner);
+    objects.group(100, "AcDbDictionary", 281, 1);
   };
   begin(root, "0");
-  objects.group(3, "ACAD_GROUP").group(350, groups);
-  objects.group(3, "ACAD_LAYOUT").group(350, layouts);
+  objects.group(3, "ACAD_GROUP", 350, groups, 3, "ACAD_LAYOUT", 350, layouts);
   begin(groups, root);
   begin(layouts, root);
-  objects.group(3, "Model").group(350, model_layout_);
-  objects.group(3, "Sheet").group(350, paper_layout_);
+  objects.group(3, "Model", 350, model_layout_, 3, "Sheet", 350, paper_layout_);
   return objects.append(layout(model_layout_, layouts, "Model", model_))
       .append(layout(paper_layout_, layouts, "Sheet", paper_));
 }
@@ -59,19 +57,18 @@ DxfFile::layout(const std::string& handle,
   const Eigen::Vector2d size =
       is_paper ? paper_size_ : Eigen::Vector2d(Eigen::Vector2d::Zero());
   DxfText text;
-  text.group(0, "LAYOUT").group(5, handle).group(330, owner);
-  text.group(100, "AcDbPlotSettings").group(1, "").group(2, "none_device");
-  text.group(4, is_paper ? paper_name_ : "").group(6, "");
-  text.zeros({40, 41, 42, 43}).group(44, size.x()).group(45, size.y()); // margins
-  text.zeros({46, 47, 48, 49, 140, 141}); // all is plotted
-  text.group(142, 1.0).group(143, 1.0).group(70, is_paper ? usual : usual + of_model);
-  text.group(72, millimetres).group(73, 0).group(74, whole_layout).group(7, "");
-  text.group(75, one_to_one).group(147, 1.0).group(148, 0.0).group(149, 0.0);
-  text.group(100, "AcDbLayout").group(1, name).group(70, 1).group(71, is_paper ? 1 : 0);
-  text.group(10, 0.0).group(20, 0.0).group(11, size.x()).group(21, size.y());
-  text.place({0, 0}, 12).place({0, 0}, 14).place(size, 15).group(146, 0.0);
-  text.place({0, 0}, 13).place({1, 0}, 16).place({0, 1}, 17).group(76, 0);
-  return text.group(330, block.record());
+  text.group(0, "LAYOUT", 5, handle, 330, owner, 100, "AcDbPlotSettings")
+      .group(1, "", 2, "none_device", 4, is_paper ? paper_name_ : "", 6, "")
+      .group(40, 0, 41, 0, 42, 0, 43, 0, 44, size.x(), 45, size.y()) // margins
+      .group(46, 0, 47, 0, 48, 0, 49, 0, 140, 0, 141, 0)             // all is plotted
+      .group(142, 1, 143, 1, 70, is_paper ? usual : usual + of_model)
+      .group(72, millimetres, 73, 0, 74, whole_layout, 7, "")
+      .group(75, one_to_one, 147, 1, 148, 0, 149, 0, 100, "AcDbLayout")
+      .group(1, name, 70, 1, 71, is_paper ? 1 : 0)
+      .group(10, 0, 20, 0, 11, size.x(), 21, size.y());
+  text.place({0, 0}, 12).place({0, 0}, 14).place(size, 15).group(146, 0);
+  text.place({0, 0}, 13).place({1, 0}, 16).place({0, 1}, 17);
+  return text.group(76, 0, 330, block.record());
 }
 
 namespace {
@@ -98,7 +95,7 @@ DxfText
 section(const char* name, const DxfText& content)
 {
   DxfText text;
-  text.group(0, "SECTION").group(2, name);
+  text.group(0, "SECTION", 2, name);
   return text.append(content).group(0, "ENDSEC");
 }
 
@@ -106,11 +103,10 @@ DxfText
 header(const Eigen::AlignedBox2d& bounds, const std::string& next_handle)
 {
   DxfText dxf;
-  dxf.group(9, "$ACADVER").group(1, "AC1027");
-  dxf.group(9, "$HANDSEED").group(5, next_handle);
-  dxf.group(9, "$INSUNITS").group(70, 6);    // metres
-  dxf.group(9, "$MEASUREMENT").group(70, 1); // metric
-  dxf.group(9, "$LUNITS").group(70, 2);      // decimal
+  dxf.group(9, "$ACADVER", 1, "AC1027", 9, "$HANDSEED", 5, next_handle);
+  dxf.group(9, "$INSUNITS", 70, 6);    // metres
+  dxf.group(9, "$MEASUREMENT", 70, 1); // metric
+  dxf.group(9, "$LUNITS", 70, 2);      // decimal
   dxf.group(9, "$EXTMIN").place(bounds.min());
   return dxf.group(9, "$EXTMAX").place(bounds.max());
 }
@@ -120,11 +116,10 @@ header(const Eigen::AlignedBox2d& bounds, const std::string& next_handle)
 DxfText&
 DxfBlock::begin(const char* type, const char* layer, const char* kind)
 {
-  entities_.group(0, type).group(5, handles_.next()).group(330, record_);
-  entities_.group(100, "AcDbEntity");
+  entities_.group(0, type, 5, handles_.next(), 330, record_, 100, "AcDbEntity");
   if (name_ == paper_space)
     entities_.group(67, 1);
-  return entities_.group(8, layer).group(100, kind);
+  return entities_.group(8, layer, 100, kind);
 }
 
 void
@@ -151,9 +146,8 @@ DxfBlock::element(const char* layer, const PlanElement& e)
   // DXF arcs run counter-clockwise from the first angle to the second.
   const Eigen::Vector2d& from = e.counter_clockwise ? e.start : e.end;
   const Eigen::Vector2d& to = e.counter_clockwise ? e.end : e.start;
-  entities_.group(100, "AcDbArc")
-      .group(50, degreesOf(from - e.centre))
-      .group(51, degreesOf(to - e.centre));
+  entities_.group(100, "AcDbArc", 50, degreesOf(from - e.centre), 51,
+                  degreesOf(to - e.centre));
 }
 
 void
@@ -165,7 +159,7 @@ DxfBlock::outline(const char* layer, const PlanLoop& loop)
   // A vertex, and the tangent of a quarter of the angle of the arc after it.
   const auto addVertex = [&](const Eigen::Vector2d& place, double turn) {
     ++count;
-    vertices.group(10, place.x()).group(20, place.y());
+    vertices.group(10, place.x(), 20, place.y());
     if (turn != 0)
       vertices.group(42, std::tan(turn / 4));
   };
@@ -178,8 +172,7 @@ DxfBlock::outline(const char* layer, const PlanLoop& loop)
   }
   if (count > 0)
     begin("LWPOLYLINE", layer, "AcDbPolyline")
-        .group(90, count)
-        .group(70, closed)
+        .group(90, count, 70, closed)
         .append(vertices);
 }
 
@@ -192,18 +185,19 @@ DxfBlock::hatch(const char* layer, const PlanArea& area)
   constexpr int polyline = 2;
   std::vector<PlanLoop> loops{area.boundary};
   loops.insert(loops.end(), area.holes.begin(), area.holes.end());
-  begin("HATCH", layer, "AcDbHatch").place({0, 0});
-  entities_.group(210, 0.0).group(220, 0.0).group(230, 1.0).group(2, "SOLID");
-  entities_.group(70, solid).group(71, 0).group(91, static_cast<int>(loops.size()));
+  begin("HATCH", layer, "AcDbHatch")
+      .place({0, 0})
+      .group(210, 0, 220, 0, 230, 1, 2, "SOLID")
+      .group(70, solid, 71, 0, 91, static_cast<int>(loops.size()));
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const std::vector<Eigen::Vector2d> corners = loops[k].polygon(chord);
-    entities_.group(92, k == 0 ? outer_polyline : polyline).group(72, 0).group(73, 1);
+    entities_.group(92, k == 0 ? outer_polyline : polyline, 72, 0, 73, 1);
     entities_.group(93, static_cast<int>(corners.size()));
     for (const Eigen::Vector2d& corner : corners)
-      entities_.group(10, corner.x()).group(20, corner.y());
+      entities_.group(10, corner.x(), 20, corner.y());
     entities_.group(97, 0);
   }
-  entities_.group(75, 0).group(76, 1).group(98, 0);
+  entities_.group(75, 0, 76, 1, 98, 0);
 }
 
 void
@@ -214,9 +208,9 @@ DxfBlock::label(const char* layer,
                 double degrees,
                 bool begins_there)
 {
-  begin("TEXT", layer, "AcDbText").place(at).group(40, height).group(1, lineOf(text));
-  entities_.group(50, degrees).group(72, begins_there ? 0 : 1).place(at, 11);
-  entities_.group(100, "AcDbText").group(73, 2);
+  begin("TEXT", layer, "AcDbText").place(at);
+  entities_.group(40, height, 1, lineOf(text), 50, degrees, 72, begins_there ? 0 : 1);
+  entities_.place(at, 11).group(100, "AcDbText", 73, 2);
 }
 
 void
@@ -229,10 +223,10 @@ DxfBlock::dimension(const char* layer,
   constexpr int block_of_its_own = 32;
   begin("DIMENSION", layer, "AcDbDimension").group(2, shown);
   entities_.place(dimension.end).place(dimension.text, 11);
-  entities_.group(70, rotated + has_place_of_text + block_of_its_own).group(1, "");
-  entities_.group(3, style_name).group(100, "AcDbAlignedDimension");
+  entities_.group(70, rotated + has_place_of_text + block_of_its_own, 1, "");
+  entities_.group(3, style_name, 100, "AcDbAlignedDimension");
   entities_.place(dimension.from, 13).place(dimension.to, 14);
-  entities_.group(50, dimension.degrees).group(100, "AcDbRotatedDimension");
+  entities_.group(50, dimension.degrees, 100, "AcDbRotatedDimension");
 }
 
 void
@@ -244,11 +238,11 @@ DxfBlock::attribute(const char* type,
   const auto& [tag, value] = attribute;
   constexpr int invisible = 1;
   const bool is_declared = std::string(type) == "ATTDEF";
-  begin(type, layer, "AcDbText").place(at).group(40, 0.1).group(1, lineOf(value));
+  begin(type, layer, "AcDbText").place(at).group(40, 0.1, 1, lineOf(value));
   entities_.group(100, is_declared ? "AcDbAttributeDefinition" : "AcDbAttribute");
   if (is_declared)
     entities_.group(3, tag);
-  entities_.group(2, tag).group(70, invisible);
+  entities_.group(2, tag, 70, invisible);
 }
 
 void
@@ -270,21 +264,21 @@ DxfBlock::insert(const char* layer,
   entities_.group(2, block).place(at).group(50, degrees);
   for (const Attribute& one : attributes)
     attribute("ATTRIB", layer, at, one);
-  entities_.group(0, "SEQEND").group(5, handles_.next()).group(330, record_);
-  entities_.group(100, "AcDbEntity").group(8, layer);
+  entities_.group(0, "SEQEND", 5, handles_.next(), 330, record_);
+  entities_.group(100, "AcDbEntity", 8, layer);
 }
 
 DxfText
 DxfBlock::definition(bool has_entities) const
 {
   DxfText block;
-  block.group(0, "BLOCK").group(5, handles_.next()).group(330, record_);
-  block.group(100, "AcDbEntity").group(8, "0").group(100, "AcDbBlockBegin");
-  block.group(2, name_).group(70, flags_).place({0, 0}).group(3, name_).group(1, "");
+  block.group(0, "BLOCK", 5, handles_.next(), 330, record_, 100, "AcDbEntity");
+  block.group(8, "0", 100, "AcDbBlockBegin", 2, name_, 70, flags_);
+  block.place({0, 0}).group(3, name_, 1, "");
   if (has_entities)
     block.append(entities_);
-  block.group(0, "ENDBLK").group(5, handles_.next()).group(330, record_);
-  return block.group(100, "AcDbEntity").group(8, "0").group(100, "AcDbBlockEnd");
+  block.group(0, "ENDBLK", 5, handles_.next(), 330, record_, 100, "AcDbEntity");
+  return block.group(8, "0", 100, "AcDbBlockEnd");
 }
 
 DxfBlock&
@@ -298,9 +292,8 @@ DxfFile::record(const char* type, const char* kind, const std::string& name)
 {
   const bool is_style = std::string(type) == "DIMSTYLE";
   DxfText text;
-  text.group(0, type).group(is_style ? 105 : 5, handles_.next());
-  text.group(100, "AcDbSymbolTableRecord").group(100, kind);
-  return text.group(2, name).group(70, 0);
+  text.group(0, type, is_style ? 105 : 5, handles_.next());
+  return text.group(100, "AcDbSymbolTableRecord", 100, kind, 2, name, 70, 0);
 }
 
 DxfText
@@ -308,10 +301,10 @@ DxfFile::table(const char* name, const std::vector<DxfText>& records)
 {
   const int count = static_cast<int>(records.size());
   DxfText text;
-  text.group(0, "TABLE").group(2, name).group(5, handles_.next()).group(330, "0");
-  text.group(100, "AcDbSymbolTable").group(70, count);
+  text.group(0, "TABLE", 2, name, 5, handles_.next(), 330, "0");
+  text.group(100, "AcDbSymbolTable", 70, count);
   if (std::string(name) == "DIMSTYLE")
-    text.group(100, "AcDbDimStyleTable").group(71, count);
+    text.group(100, "AcDbDimStyleTable", 71, count);
   for (const DxfText& record : records)
     text.append(record);
   return text.group(0, "ENDTAB");
@@ -323,41 +316,36 @@ DxfFile::tables(const Eigen::AlignedBox2d& bounds)
   constexpr const char* line_type = "AcDbLinetypeTableRecord";
   DxfText view = record("VPORT", "AcDbViewportTableRecord", "*Active");
   const Eigen::Vector2d middle = bounds.center();
-  view.group(10, 0.0).group(20, 0.0).group(11, 1.0).group(21, 1.0);
-  view.group(12, middle.x()).group(22, middle.y());
-  view.group(40, 1.2 * std::max(bounds.sizes().maxCoeff(), 1.0)).group(41, 1.5);
+  view.group(10, 0, 20, 0, 11, 1, 21, 1, 12, middle.x(), 22, middle.y());
+  view.group(40, 1.2 * std::max(bounds.sizes().maxCoeff(), 1.0), 41, 1.5);
   std::vector<DxfText> types;
   for (const char* name : {"ByBlock", "ByLayer", "Continuous"})
-    types.push_back(record("LTYPE", line_type, name)
-                        .group(3, "")
-                        .group(72, 65)
-                        .group(73, 0)
-                        .group(40, 0.0));
-  DxfText dashed = record("LTYPE", line_type, "DASHED").group(3, "__ __ __");
-  dashed.group(72, 65).group(73, 2).group(40, 0.15);
-  types.push_back(dashed.group(49, 0.1).group(74, 0).group(49, -0.05).group(74, 0));
+    types.push_back(
+        record("LTYPE", line_type, name).group(3, "", 72, 65, 73, 0, 40, 0));
+  types.push_back(record("LTYPE", line_type, "DASHED")
+                      .group(3, "__ __ __", 72, 65, 73, 2, 40, 0.15)
+                      .group(49, 0.1, 74, 0, 49, -0.05, 74, 0));
   std::vector<DxfText> layers;
-  constexpr int usual_width = -3;
-  for (const DxfLayer& layer : layers_)
-    layers.push_back(record("LAYER", "AcDbLayerTableRecord", layer.name)
-                         .group(62, layer.colour)
-                         .group(6, layer.is_dashed ? "DASHED" : "Continuous")
-                         .group(290, layer.is_plotted ? 1 : 0)
-                         .group(370, layer.width > 0 ? static_cast<int>(std::lround(
-                                                           100 * layer.width))
-                                                     : usual_width));
+  constexpr double usual_width = -0.03;
+  for (const DxfLayer& layer : layers_) {
+    const double width = layer.width > 0 ? layer.width : usual_width;
+    layers.push_back(
+        record("LAYER", "AcDbLayerTableRecord", layer.name)
+            .group(62, layer.colour, 6, layer.is_dashed ? "DASHED" : "Continuous")
+            .group(290, layer.is_plotted ? 1 : 0)
+            .group(370, static_cast<int>(std::lround(100 * width))));
+  }
   DxfText style = record("STYLE", "AcDbTextStyleTableRecord", style_name);
-  style.group(40, 0.0).group(41, 0.8).group(50, 0.0).group(71, 0).group(42, 0.2);
-  style.group(3, "arial.ttf").group(4, "");
+  style.group(40, 0, 41, 0.8, 50, 0, 71, 0, 42, 0.2, 3, "arial.ttf", 4, "");
   DxfText dimensions = record("DIMSTYLE", "AcDbDimStyleTableRecord", style_name);
-  dimensions.group(40, 1.0).group(41, text_height_).group(42, text_height_ / 4);
-  dimensions.group(44, text_height_ / 2).group(77, 1).group(140, text_height_);
+  dimensions.group(40, 1, 41, text_height_, 42, text_height_ / 4);
+  dimensions.group(44, text_height_ / 2, 77, 1, 140, text_height_);
   std::vector<DxfText> blocks;
   const auto addRecord = [&](const DxfBlock& block, const std::string& of_layout) {
     DxfText text;
-    text.group(0, "BLOCK_RECORD").group(5, block.record());
-    text.group(100, "AcDbSymbolTableRecord").group(100, "AcDbBlockTableRecord");
-    blocks.push_back(text.group(2, block.name()).group(340, of_layout));
+    text.group(0, "BLOCK_RECORD", 5, block.record(), 100, "AcDbSymbolTableRecord");
+    text.group(100, "AcDbBlockTableRecord", 2, block.name(), 340, of_layout);
+    blocks.push_back(text);
   };
   addRecord(model_, model_layout_);
   addRecord(paper_, paper_layout_);

@@ -28,16 +28,23 @@ public:
     return group(code, std::string(value));
   }
   DxfText& group(int code, double value) { return group(code, decimalText(value, 7)); }
-  DxfText& group(int code, int value) { return group(code, std::to_string(value)); }
+  DxfText& group(int code, int value)
+  {
+    const bool is_real = (code >= 10 && code < 60) || (code >= 140 && code < 150) ||
+                         (code >= 210 && code < 240);
+    return is_real ? group(code, 1. * value) : group(code, std::to_string(value));
+  }
+
+  /** @brief Adds several pairs. */
+  template <typename Value, typename... Rest>
+  DxfText& group(int code, const Value& value, int next, const Rest&... rest)
+  {
+    return group(code, value).group(next, rest...);
+  }
+
   DxfText& place(const Eigen::Vector2d& p, int x_code = 10)
   {
     return group(x_code, p.x()).group(x_code + 10, p.y()).group(x_code + 20, 0.0);
-  }
-  DxfText& zeros(std::initializer_list<int> codes)
-  {
-    for (const int code : codes)
-      group(code, 0.0);
-    return *this;
   }
   DxfText& append(const DxfText& other)
   {

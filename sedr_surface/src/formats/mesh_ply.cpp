@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "append_bytes.h"
+#include "../../../sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/labels.h"
 
 #include <pcl/sedr_surface/mesh_io.h>

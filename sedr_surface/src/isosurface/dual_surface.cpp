@@ -2,7 +2,6 @@
 #include "dual_surface.h"
 
 #include "sedr_filters/src/base/parallel.h"
-#include "surface_planes.h"
 
 #include <Eigen/Eigenvalues>
 

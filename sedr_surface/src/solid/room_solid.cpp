@@ -3,7 +3,7 @@
 #include "plan_subdivision.h"
 #include "room_layers.h"
 #include "sedr_filters/src/plan/plan_check.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 

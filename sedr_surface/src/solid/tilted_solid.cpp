@@ -4,7 +4,7 @@
 #include "../mesh/mesh_repair.h"
 #include "../triangulation/triangulation.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../plan_loops.h"
 #include "plan_loops.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <gtest/gtest.h>
 #include <pcl/sedr_filters/floorplan_io.h>

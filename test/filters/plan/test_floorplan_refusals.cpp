@@ -2,7 +2,7 @@
 #include "two_storeys.h"
 
 #include "sedr_filters/src/plan/plan_check.h"
-#include "sedr_filters/src/walls/tilted_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>

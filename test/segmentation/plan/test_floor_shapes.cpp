@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
-#include "sedr_segmentation/src/plan/room_ceilings.h"
-#include "sedr_segmentation/src/sheets/floor_pieces.h"
-#include "sedr_segmentation/src/sheets/sheet_relief.h"
+#include "sedr_segmentation/src/plan/energy_fit.h"
+#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
 #include <ostream>
 
@@ -10,6 +9,8 @@ namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
+using sedr_test::PlanEvidence; // not those of the library
+using sedr_test::RoomPoints;
 
 /** A room of 8 m x 6 m with parts of its floor. */
 struct FloorShape {

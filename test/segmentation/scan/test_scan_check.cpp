@@ -2,9 +2,7 @@
 // What programs and the chain show of a scan's faults by one case each.
 #include "room_points.h"
 
-#include "sedr_segmentation/src/scan/cell_fill.h"
-#include "sedr_segmentation/src/scan/missing_surfaces.h"
-#include "sedr_segmentation/src/scan/unit_check.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 
 #include <gtest/gtest.h>
 

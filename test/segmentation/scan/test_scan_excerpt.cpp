@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rows_in_pieces.h"
 #include "sedr_filters/src/base/field_access.h"
-#include "sedr_segmentation/src/scan/cell_fill.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/stairs/stairs.h"
+#include "sedr_segmentation/src/stairs/stair_flights.h"
 
 #include "room_points.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include "plain_text.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/number_text.h"

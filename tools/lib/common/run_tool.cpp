@@ -2,7 +2,6 @@
 #include "run_tool.h"
 #include "sedr_filters/src/base/number_text.h"
 
-#include "plain_text.h"
 #include "result_exchange.h"
 #include "tool_error.h"
 

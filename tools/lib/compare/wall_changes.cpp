@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "element_changes.h"
+#include "comparison.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edited_model.h"
 
-#include "bytes/whole_file.h"
-#include "carried_report.h"
+#include "bytes/input_file.h"
 #include "colours/scan_colours.h"
-#include "model/plan_files.h"
-#include "model/plan_report.h"
+#include "model/report.h"
+#include "model/solid_files.h"
 #include "plan_file.h"
 #include "report/report_page.h"
 #include "result_exchange.h"
@@ -14,13 +13,23 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/editing/plan_edits.h"
 #include "sedr_surface/src/sheet/sheet.h"
+#include "sedr_surface/src/sheet/text_places.h"
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
 #include <system_error>
+#include <vector>
 
 namespace pcl::sedr::tools {
 
@@ -28,6 +37,189 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+/** @brief A wall by the numbers of its room and its own, from 1. */
+struct WallNumber {
+  std::uint32_t room = 0;
+  std::size_t wall = 0;
+};
+
+/** @brief Finds what an edit left as it was. */
+class Untouched {
+public:
+  Untouched(const Floorplan& before, const Floorplan& plan)
+      : before_(before)
+      , plan_(plan)
+  {}
+
+  /** @brief Returns whether a room has the outline, floor and ceiling that it had. */
+  bool isSameRoom(std::uint32_t id) const
+  {
+    const PlanRoom* const old = findRoom(before_, id);
+    const PlanRoom* const now = findRoom(plan_, id);
+    return old && now && isSame(old->boundary, now->boundary) &&
+           planesOf(*old) == planesOf(*now);
+  }
+
+  /** @brief Returns which room a room is now, or is a part of; 0: none. */
+  std::uint32_t roomNow(std::uint32_t id) const
+  {
+    return findRoom(plan_, id) ? id : roomAround(findRoom(before_, id), plan_);
+  }
+
+  /** @brief Returns whether a new room is a part of a room before. */
+  bool isSplit(std::uint32_t id) const
+  {
+    return std::any_of(
+        plan_.rooms.begin(), plan_.rooms.end(), [&](const PlanRoom& room) {
+          return !findRoom(before_, room.id) && roomAround(&room, before_) == id;
+        });
+  }
+
+  /** @brief Returns which wall a wall is now; nothing if it was touched. */
+  std::optional<WallNumber> find(const WallNumber& old) const
+  {
+    const PlanRoom* const room = findRoom(before_, old.room);
+    if (!room || old.wall < 1 || old.wall > room->boundary.elements.size())
+      return {};
+    for (const PlanRoom& now : plan_.rooms)
+      if (const auto k = elementLike(now, room->boundary.elements[old.wall - 1]))
+        return WallNumber{now.id, *k + 1};
+    return {};
+  }
+
+private:
+  /** @brief Returns the room of a plan that holds the middle of a room, 0 for none. */
+  static std::uint32_t roomAround(const PlanRoom* room, const Floorplan& plan)
+  {
+    if (room)
+      for (const PlanRoom* const other : roomsAt(plan, heightsOf(*room)))
+        if (other->contains(textSpotIn(room->boundary, room->columns).place))
+          return other->id;
+    return 0;
+  }
+
+  static std::vector<Eigen::Vector4d> planesOf(const PlanRoom& room)
+  {
+    std::vector<Eigen::Vector4d> planes{room.floor.plane, room.ceiling.plane};
+    for (const auto* const details : {&room.floor_details, &room.details})
+      for (const PlanDetail& detail : *details)
+        planes.push_back(detail.slab.plane);
+    return planes;
+  }
+
+  const Floorplan& before_;
+  const Floorplan& plan_;
+};
+
+/** @brief Returns the maps of walls that are as they were. */
+Json
+mapsOf(const Json& maps, const Untouched& untouched)
+{
+  Json kept = Json::array();
+  for (Json map : maps) {
+    Json walls = Json::array();
+    std::uint32_t room = 0;
+    for (const Json& wall : map["walls"])
+      if (const auto now =
+              untouched.find({map.value("room", 0U), wall.get<std::size_t>()})) {
+        walls.push_back(now->wall);
+        room = now->room;
+      }
+    if (walls.size() != map["walls"].size())
+      continue;
+    map["room"] = room;
+    map["walls"] = walls;
+    kept.push_back(std::move(map));
+  }
+  return kept;
+}
+
+/** @brief Gives the doubt of a room to the room that this is now a part of.
+ * @return whether it still is a doubt: not of a room that is gone, whether two rooms
+ * are one that were merged, or whether one is two that was split */
+bool
+followRooms(const Untouched& untouched, PlanWarning& warning)
+{
+  const std::uint32_t old = warning.room;
+  warning.room = untouched.roomNow(old);
+  if (warning.kind == WarningKind::OneRoom && warning.values.size() > 2) {
+    double& other = warning.values[2];
+    if (!(other >= 0 && other <= std::numeric_limits<std::uint32_t>::max()))
+      throw ToolError("report.json doubts whether room " + std::to_string(old) +
+                      " and room " + numberText(other) +
+                      " are one, and that is no number of a room");
+    other = untouched.roomNow(static_cast<std::uint32_t>(other));
+    return warning.room != 0 && other != 0 && other != warning.room;
+  }
+  return warning.room != 0 &&
+         !(warning.kind == WarningKind::TwoRooms && untouched.isSplit(old));
+}
+
+/** @brief Returns what was doubted of a plan and still is, and that it was edited.
+ *
+ * Doubts of walls follow their numbers, and go with walls that were touched. What a
+ * room of another shape was doubted for stays, with a note that it is of the time
+ * before. What was told of files is left out.
+ * @param[in,out] report of the plan before; the edits are added to those it tells
+ * @param edits sentences */
+std::vector<PlanWarning>
+carriedWarnings(Json& report,
+                const Untouched& untouched,
+                const std::vector<std::string>& edits)
+{
+  const std::set<WarningKind> of_files{
+      WarningKind::Crossing, WarningKind::Contradiction, WarningKind::OpeningClosed,
+      WarningKind::NoSolid,  WarningKind::NotInIfc,      WarningKind::IfcLoss,
+      WarningKind::Edited}; // which are told anew
+  Json& all = report["edits"];
+  for (const std::string& edit : edits)
+    all.push_back(edit);
+  std::vector<PlanWarning> kept{
+      warningOf(WarningKind::Edited,
+                "the plan was edited by hand: " + all.back().get<std::string>() +
+                    (all.size() > 1 ? ", the last of " + std::to_string(all.size()) +
+                                          " edits that report.json tells"
+                                    : "") +
+                    "; mesh, points and distances are those of the scan")};
+  for (PlanWarning& warning : warningsIn(report)) {
+    if (of_files.count(warning.kind) > 0)
+      continue;
+    if (warning.wall > 0) {
+      const auto now = untouched.find({warning.room, warning.wall});
+      if (!now)
+        continue;
+      warning.room = now->room;
+      warning.wall = now->wall;
+    }
+    else if (warning.room != 0) {
+      const bool is_same = untouched.isSameRoom(warning.room);
+      if (!followRooms(untouched, warning))
+        continue;
+      if (!is_same)
+        warning.note = "before the plan was edited";
+    }
+    kept.push_back(std::move(warning));
+  }
+  return kept;
+}
+
+/** @brief Keeps in a report what it tells of rooms and walls that an edit did not
+ * touch: what the scan shows of them, what of them was hidden and their meshes. Walls
+ * get their new numbers.
+ * @param rooms of the report before
+ * @param report whose part of the plan setPlan() has replaced already */
+void
+carryOver(const Untouched& untouched, const Json& rooms, Json& report)
+{
+  for (Json& room : report["rooms"])
+    for (const Json& old : rooms)
+      if (old.value("id", 0U) == room["id"] && untouched.isSameRoom(room["id"]))
+        for (const char* kept : {"unseen_outline", "mesh"})
+          room[kept] = old.value(kept, Json());
+  report["walls"] = mapsOf(report["walls"], untouched);
+}
+
 using Extrusion = pcl::FloorplanExtrusion<pcl::PointXYZ>;
 
 /** @brief Returns the ending of the files that the next edit keeps: so many tildes that
@@ -98,7 +290,7 @@ public:
     for (const std::string& name : writtenFiles(path_))
       if (before_.has(name) && name != "report.json" && name != "report.html" &&
           !std::binary_search(written.begin(), written.end(), name) &&
-          !isOfPlan(name)) {
+          !isDrawing(name)) {
         std::error_code error; // of file systems without links
         fs::create_hard_link(before_.file(name), folder_.file(name), error);
         if (error)
@@ -128,8 +320,7 @@ public:
   IfcModel ifc;
   Extrusion extrusion;
   Json report;
-  std::string plan_text;   ///< as it was read
-  std::string report_text; ///< as it was read
+  std::string plan_text, report_text; ///< as they were read
 
 private:
   /** @brief Returns the colours that the points of the structure have. */
@@ -151,9 +342,9 @@ private:
     return {places, colours, before_.voxelSize()};
   }
 
-  /** @brief Returns whether a file that is not written any more was of the plan before:
-   * a drawing, of a storey or stair that is gone. */
-  static bool isOfPlan(const std::string& name)
+  /** @brief Returns whether a file that is not written any more is a drawing, of a
+   * storey or stair that is gone. */
+  static bool isDrawing(const std::string& name)
   {
     return hasExtension(name, ".svg") || hasExtension(name, ".pdf") ||
            hasExtension(name, ".dxf");
@@ -179,8 +370,8 @@ editModel(const std::string& path, const EditPlan& edit)
   const std::string ending = nextEnding(path);
   model.write("floorplan.json" + ending, model.plan_text);
   model.write("report.json" + ending, model.report_text);
-  std::vector<PlanWarning> warnings =
-      carriedWarnings(model.report, before, document.plan, edits);
+  const Untouched untouched(before, document.plan);
+  std::vector<PlanWarning> warnings = carriedWarnings(model.report, untouched, edits);
   std::vector<PlanWarning> of_files = model.extrusion.getWarnings();
   for (const RoomSolidReport& solid : model.extrusion.getReports())
     if (!solid.problem.empty())
@@ -192,7 +383,7 @@ editModel(const std::string& path, const EditPlan& edit)
   const Json rooms = model.report["rooms"];
   setPlan(model.report, document.plan, model.ifc.schedules,
           model.extrusion.getReports(), warnings);
-  carryOver(model.report, rooms, before, document.plan);
+  carryOver(untouched, rooms, model.report);
   return model.finish();
 }
 

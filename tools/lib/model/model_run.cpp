@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_run.h"
 
-#include "bytes/whole_file.h"
+#include "bytes/input_file.h"
 #include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"
-#include "plan_files.h"
 #include "report.h"
 #include "report/report_page.h"
 #include "run_tool.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_report.h"
+#include "report.h"
 
 #include "sedr_filters/src/base/number_text.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
-#include "plan_report.h"
-
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "sedr_segmentation/src/openings/opening_search.h"

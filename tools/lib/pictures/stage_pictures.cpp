@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stage_pictures.h"
-#include "picture_file.h"
 #include "scan_file.h"
 #include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/number_text.h"

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bytes/input_file.h"
+#include "options.h"
 #include "picture.h"
+#include "tool_cloud.h"
 
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/building.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <array>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -47,6 +51,48 @@ Picture drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& bound
 /** @brief Draws the maps of the sides of walls on which OpeningDetection found
  * openings, the longest first: what was seen of each cell, and the openings. */
 Picture drawOpenings(const Floorplan& plan, const OpeningSearch& search);
+
+/** @brief The picture that a program is asked for by --picture. */
+struct PictureFile {
+  std::string path; ///< empty: none
+
+  void declare(Options& options)
+  {
+    options.text("picture", path, "PNG file for a picture of what was decided");
+  }
+
+  /** @brief Throws ToolError if the file cannot be written or does not end in .png. To
+   * be called before the work. */
+  void check() const;
+
+  /** @brief Writes what `draw` returns, completely or not at all, if it is asked for.
+   */
+  template <typename Draw>
+  void write(Draw draw) const
+  {
+    if (!path.empty())
+      writeWhole(path, draw().png());
+  }
+};
+
+/** @brief The files of a stage's program: a cloud in, one out, and a picture. */
+struct StageFiles {
+  std::string input;
+  std::string output;
+  PictureFile picture;
+
+  /** @brief Declares INPUT, OUTPUT and --picture.
+   * @param plan gets PLAN.json, which is between them, if given */
+  void declare(Options& options, const std::string& help, std::string* plan = nullptr);
+
+  /** @brief Throws ToolError if an output cannot be written. To be called before the
+   * work. */
+  void check() const;
+
+  /** @brief Writes the cloud, and the picture of what became of the input.
+   * @param reading of the input */
+  void save(const ToolCloud& cloud, const ScanSettings& reading = {}) const;
+};
 
 } // namespace tools
 } // namespace pcl::sedr

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_segmentation/src/plan/room_shares.h"
-#include "sedr_segmentation/src/rooms/room_planes.h"
 #include "tool_cloud.h"
 
+#include "sedr_segmentation/src/plan/room_shares.h"
+#include "sedr_segmentation/src/rooms/room_planes.h"
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/building.h>
 
@@ -61,5 +61,13 @@ PlanSlab floorOf(const LabelledRoom& room,
  * trusted, throws as well if another direction is up, or the scan inclined, and warns
  * if that may be. */
 void checkScan(const ToolCloud& cloud, bool trust_up);
+
+/** @brief Writes a building as JSON: heights and gaps of rooms, storeys, links, stairs.
+ */
+std::string buildingToJson(const Building& building);
+
+/** @brief Reads the output of buildingToJson(), but for the gaps. Throws ToolError on
+ * failure. */
+Building loadBuilding(const std::string& path);
 
 } // namespace pcl::sedr::tools

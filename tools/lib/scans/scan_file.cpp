@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
-#include "plain_text.h"
 #include "run_tool.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "tool_error.h"

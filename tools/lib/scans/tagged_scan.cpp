@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tagged_scan.h"
 
-#include "bytes/whole_file.h"
+#include "bytes/input_file.h"
 #include "formats/las_output.h"
 #include "run_tool.h"
 #include "tool_cloud.h"

@@ -7,7 +7,7 @@ foreach(scene IN LISTS SCENES)
   string(APPEND entries "    {\"${scene}\", R\"sedr_scene(${text})sedr_scene\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made from tools/simulator/scenes by embed_scenes.cmake.
-#include \"simulator/scene/scenes.h\"
+#include \"simulator/scene/scene.h\"
 
 namespace pcl::sedr::sim {
 

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/** @file A scene to scan: plain structures, all lengths in metres, angles in radians, z
+ * up. Outlines are the loops of segments and arcs of the floor plan; they run
+ * counter-clockwise. It is independent of how a scene is meshed or scanned. */
 #pragma once
 
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_segmentation/src/shapes/shape_fit.h"
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/point_types.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/point_types.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-/** @file A scene to scan: plain structures, all lengths in metres, angles in radians, z
- * up. Outlines are the loops of segments and arcs of the floor plan; they run
- * counter-clockwise. It is independent of how a scene is meshed or scanned. */
 
 namespace pcl::sedr::sim {
 
@@ -263,5 +263,39 @@ placed(const Placement& placement, Loop loop)
       *point = placed(placement, *point);
   return loop;
 }
+
+/** @brief A scene file that is part of the simulator's library. */
+struct BuiltInScene {
+  std::string name;
+  std::string text; ///< of its file: see parseScene()
+};
+
+/** @brief Returns the text of a scene file. */
+std::string readSceneText(const std::filesystem::path& path);
+
+/** @brief Parses a scene and checks that it is physically possible.
+ *
+ * Every room can be meshed: see meshOf(). Rooms do not overlap, and openings and niches
+ * do not reach into other rooms. Voids lie within one part of a ceiling and of the
+ * floor above it. Scanners are in a room and in no object. Outlines are sampled every
+ * few centimetres.
+ * @param source the name of the text in messages
+ * @throw std::invalid_argument with a sentence about the first fault, which begins with
+ * its place, as in "rooms[2].openings[0]" */
+Scene parseScene(const std::string& text, const std::string& source);
+
+/** @brief Returns the files of tools/simulator/scenes. */
+const std::vector<BuiltInScene>& builtInScenes();
+
+/** @brief Returns all built-in scenes. */
+std::vector<Scene> allScenes();
+
+/** @brief Returns the text of a built-in scene, or of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or the file */
+std::string sceneText(const std::string& name_or_path);
+
+/** @brief Returns a built-in scene, or that of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or the fault of the file */
+Scene sceneNamed(const std::string& name_or_path);
 
 } // namespace pcl::sedr::sim

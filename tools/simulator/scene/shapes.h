@@ -35,14 +35,6 @@ struct Dome {
   double direction = 0.0; ///< radians
 };
 
-/** @brief How a circle is cut into facets that deviate as much inwards as outwards. */
-struct FacetSteps {
-  double angle = 0.0;  ///< radians between two edges
-  double radius = 0.0; ///< of the edges
-};
-
-FacetSteps facetStepsOf(double radius);
-
 /** @brief Returns the facets of a vault over a convex loop with straight sides.
  * @throw std::invalid_argument if the loop extends beyond the cylinder or has arcs */
 std::vector<PlanDetail> facetsOf(const Vault& vault, const Loop& loop);

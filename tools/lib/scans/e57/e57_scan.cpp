@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57_reader.h"
 
-#include "plain_text.h"
 #include "tool_error.h"
 
 #include <boost/property_tree/xml_parser.hpp>

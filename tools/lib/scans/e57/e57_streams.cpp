@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57_reader.h"
 #include "formats/scan_formats.h"
-#include "plain_text.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "tool_error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "las_layout.h"
+#include "las_output.h"
 #include "scan_formats.h"
 #include "tool_error.h"
 

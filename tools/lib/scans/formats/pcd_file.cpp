@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plain_text.h"
 #include "scan_formats.h"
 #include "tool_error.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_reader.h"
 
-#include "plain_text.h"
 #include "tool_error.h"
 
 #include "bytes/input_file.h"

@@ -5,8 +5,6 @@
 #include "simulator/scene/scene.h"
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -69,20 +67,6 @@ private:
 
   Spot spot_;
 };
-
-/** @brief Where an object of a kind stands or hangs. */
-enum class Standing { OnFloor, BelowCeiling, Hinged };
-
-/** @brief A kind of furniture. */
-struct Kind {
-  std::string name; ///< of its objects, unless the file gives another
-  Standing standing = Standing::OnFloor;
-  bool is_indoors = false; ///< in rooms only
-  std::function<void(const JsonView&, Assembly&)> build;
-};
-
-/** @brief Returns the kinds by their key in scene files. */
-const std::map<std::string, Kind>& furnitureKinds();
 
 /** @brief The name of every flight of stairs. */
 constexpr const char* kStairs = "stairs";

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -95,14 +96,18 @@ private:
   ConstPtr indices_;
 };
 
-/** @brief Returns what is wrong with a length, as a sentence; empty if it is above 0 m.
- * @param what "the grid size" */
+/** @brief Returns what is wrong with the first of some lengths that is not above 0, as
+ * a sentence; empty if all are.
+ * @param lengths {{"the grid size", 0.1}} */
 inline std::string
-lengthProblem(const char* what, double length)
+lengthProblem(std::initializer_list<std::pair<const char*, double>> lengths,
+              const char* unit = "m")
 {
-  return length > 0 && std::isfinite(length)
-             ? std::string()
-             : what + (" must be above 0 m, it is " + std::to_string(length));
+  for (const auto& [what, length] : lengths)
+    if (!(length > 0) || !std::isfinite(length))
+      return std::string(what) + " must be above 0 " + unit + ", it is " +
+             std::to_string(length);
+  return {};
 }
 
 /** @brief Returns what is wrong with `indices` into a cloud of `cloud_size` points,

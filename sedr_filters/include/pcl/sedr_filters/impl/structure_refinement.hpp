@@ -16,7 +16,8 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
   this->startRun(output);
   std::vector<std::uint32_t> labels = this->labels_;
   std::vector<std::uint32_t> rooms = this->rooms_;
-  std::string problem = sedr::lengthProblem("the maximum distance", maximum_distance_);
+  std::string problem =
+      sedr::lengthProblem({{"the maximum distance", maximum_distance_}});
   if (problem.empty())
     problem = sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
   if (!problem.empty()) {

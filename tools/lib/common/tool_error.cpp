@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plain_text.h"
+#include "tool_error.h"
 
 #include "sedr_filters/src/base/printable.h"
 
