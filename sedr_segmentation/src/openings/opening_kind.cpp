@@ -15,14 +15,14 @@ namespace {
 const std::array<OpeningFeatures, 4> kind_weights{
     {// one raised sill room narrow wide_in tall low_lintel filled around leaf closed
      // low back beyond deep low_head split lower upper solid wide_out
-     {{3.5, 0.0, 2.2, -1.9, 4.1, 0.8, 1.5, 1.3, 0.2, -4.6, -1.7,
-       1.3, 4.2, 0.5, 0.2,  0.3, 0.4, 2.4, 0.7, 1.3, -0.3, 1.7}},
-     {{-1.0, 4.8,  1.8,  -4.8, -0.5, 1.3,  1.0,  0.9,  0.1,  0.4,  -1.6,
-       -1.1, -3.1, -0.7, -0.2, -0.3, -0.2, -1.2, -0.5, -1.5, -0.2, 2.5}},
-     {{-4.2, -0.2, -0.4, -0.4, -0.1, 4.4,  1.9,  -0.1, -6.2, 0.2, -3.0,
-       0.1,  -0.3, 0.2,  0.0,  0.1,  -0.1, -0.1, -0.1, 0.0,  0.0, 3.5}},
-     {{-2.9, 0.9,  0.9, -2.1, 0.3, -0.3, -0.6, -0.4, 1.5,  -0.7, -0.9,
-       2.4,  -0.3, 2.0, 0.1,  0.9, 3.3,  -0.1, 2.3,  -0.8, 1.0,  0.9}}}};
+     {3.5, 1.4, 1.9,  -1.4, 10.4, 3.3, 0.0, 7.5, -0.8, -7.1, -1.1,
+      2.3, 6.3, -0.1, 1.8,  4.8,  3.9, 3.1, 0.5, 0.1,  9.3,  2.8},
+     {-1.7, 3.3,  4.2,  -6.6, 7.3,  2.4,  0.1, 6.7, 1.1,  1.0,  -2.4,
+      -1.6, -2.5, -1.5, -9.8, -0.2, -0.4, 4.7, 0.5, -3.1, -2.7, 3.2},
+     {-4.4, -0.4, -0.6, -1.5, 7.1,  5.2,  3.7,  -1.4, -2.9, 0.2,  -3.3,
+      -1.6, -0.4, 1.5,  -1.1, -1.3, -1.0, -0.9, -1.0, -0.2, -2.0, 2.5},
+     {-3.8, 1.4, 2.0, -3.0, 4.9,  2.2, -1.6, -4.4, 1.3,  -1.2, -1.0,
+      1.2,  2.2, 1.7, 5.6,  14.4, 5.9, 2.9,  1.6,  -3.2, 24.3, 1.2}}};
 
 OpeningFeatures
 featuresOf(const Floorplan& plan,
@@ -51,7 +51,7 @@ featuresOf(const Floorplan& plan,
           found.filled,
           found.around,
           o.hinge != OpeningHinge::Unknown ? 1.0 : 0.0,
-          raised * std::max(found.closed, found.solid),
+          std::max(found.closed, found.solid),
           std::clamp(opening_numbers.low_window - o.height(), 0.0, 0.6),
           found.back.closed,
           std::min(found.back.beyond, 0.5),
@@ -60,7 +60,8 @@ featuresOf(const Floorplan& plan,
           found.split,
           found.part == 1 ? 1.0 : 0.0,
           found.part == 2 ? 1.0 : 0.0,
-          found.solid,
+          found.solid * found.back.closed *
+              std::clamp(o.depth - found.back.depth - 2 * sizes.leaf_strip, 0.0, 0.2),
           wide * (1 - room_behind)};
 }
 

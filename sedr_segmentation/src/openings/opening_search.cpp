@@ -217,7 +217,8 @@ private:
                                         sides[other->side].line.project(place)};
       const std::vector<SideBehind>& backs = backs_[k].at(s);
       if (const std::vector<SideBehind>& bay = bays_[k].at(s); !bay.empty())
-        is_wall[c] = (!backs.empty() && // the bay ends within the wall
+        is_wall[c] = bay.front().depth < opening_numbers.reveal_strip || // a pane
+                     (!backs.empty() && // the bay ends within the wall
                       std::all_of(backs.begin(), backs.end(),
                                   [&](const SideBehind& back) {
                                     return seenOf(back) < sizes_.on_floor;

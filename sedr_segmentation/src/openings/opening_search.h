@@ -25,12 +25,13 @@ struct OpeningParameters {
  * it; how much narrower than usual doors it is, wider with a room behind it, and
  * higher; how much lower than usual its lintel; share of its area that shows something
  * within the wall; share of its jambs and head beside which a wall was seen; 1 if a
- * leaf stands open beside it; share of a raised one in which a face was seen; how much
+ * leaf stands open beside it; share in which a face was seen, the greater one; how much
  * lower than usual windows it is; shares that a back closes and that show something
  * farther behind; depth of the back; how much lower than a door it is on the floor;
  * share of its height below which it has a back and above none; 1 if it is the lower,
- * or the upper part of such a one; share in which the face behind was seen; how much
- * wider than usual doors it is with no room behind it. */
+ * or the upper part of such a one; how much thicker than a leaf is what parts its back
+ * from a face behind it that was seen; how much wider than usual doors it is with no
+ * room behind it. */
 using OpeningFeatures = std::array<double, 22>;
 
 /** @brief What closes a rectangle of a wall behind its face. */

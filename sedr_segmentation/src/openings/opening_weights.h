@@ -33,8 +33,7 @@ struct OpeningSizes {
   double min_width = 0.35;
   double min_height = 0.3;     ///< of a cellar window
   double min_head = 1.75;      ///< height of a door
-  double max_gap = 4;          ///< of a bay, drawn to its pane
-  double min_side = 0.4;       ///< length of a wall
+  double max_gap = 12;         ///< of a bay, drawn to its pane
   double max_depth = 0.6;      ///< of a wall: Priors::max_wall
   double shallow = 0.3;        ///< of a wall without a known face behind it
   double before = 1.2;         ///< depth of what hides it

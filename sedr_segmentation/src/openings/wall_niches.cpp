@@ -125,12 +125,16 @@ isShared(const Floorplan& plan, const PlanRoom& room, const PlanNiche& niche)
     if (const Eigen::Vector2d back = sides[1].pointAt(s * sides[1].length());
         room.boundary.contains(back) || room.boundary.contains(back - out / 2))
       return true;
+  const auto isBeside = [&, p = sides[1].start](const PlanNiche& other) {
+    return niche.bottom.heightAt(p) < other.top.heightAt(p) &&
+           other.bottom.heightAt(p) < niche.top.heightAt(p);
+  };
   return std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& other) {
     return &other != &room && shareHeights(room, other) &&
            (overlap(niche.boundary, other.boundary) ||
             std::any_of(other.niches.begin(), other.niches.end(),
                         [&](const PlanNiche& n) {
-                          return overlap(niche.boundary, n.boundary);
+                          return isBeside(n) && overlap(niche.boundary, n.boundary);
                         }));
   });
 }

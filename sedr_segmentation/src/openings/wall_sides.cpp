@@ -44,7 +44,8 @@ addHeights(const PlanRoom& room, WallSide& side)
 }
 
 /** @brief Leads straight sides on over the bays at their ends: where the boundary of
- * their room lies behind their line, no deeper than a wall. */
+ * their room lies behind their line, no deeper than a wall; and on to the wall beyond
+ * them, so that both jambs are on one map. */
 void
 extendOverBays(std::vector<WallSide>& sides, const OpeningSizes& sizes)
 {
@@ -54,11 +55,25 @@ extendOverBays(std::vector<WallSide>& sides, const OpeningSizes& sizes)
     if (line.isArc() || !from[k].may_have_openings)
       continue;
     const double length = line.length();
+    const auto isInLine = [&](double along) { // another wall of the room
+      const Eigen::Vector2d place = line.pointAt(along);
+      return std::any_of(from.begin(), from.end(), [&](const WallSide& other) {
+        return other.room == from[k].room && !other.line.isArc() &&
+               other.line.isBeside(place) &&
+               std::abs(other.offset(place)) < opening_numbers.off_edge &&
+               other.line.normalAt(0).dot(line.normalAt(0)) >=
+                   opening_numbers.min_cosine;
+      });
+    };
     const auto reach = [&](double end, double step) {
       double far = end;
       while (std::abs(far - end) < sizes.max_gap &&
              !sidesBehind(from, from[k], far + step, BehindKind::Own, sizes.max_depth)
                   .empty())
+        far += step;
+      for (const double bay = far; far != end &&
+                                   std::abs(far - bay) < 2 * sizes.beside &&
+                                   isInLine(far + step);)
         far += step;
       return line.pointAt(far);
     };
@@ -81,7 +96,7 @@ wallSides(const Floorplan& plan, const OpeningSizes& sizes)
       for (std::size_t e = 0; e < loop.elements.size(); ++e)
         if (const double length = loop.elements[e].length(); length > 0) {
           sides.push_back({r, loop.elements[e], e, column,
-                           is_surrounded && length >= sizes.min_side});
+                           is_surrounded && length >= sizes.beside});
           addHeights(room, sides.back());
         }
     };

@@ -76,19 +76,15 @@ public:
       reveals(cut, -0.2, 0);
   }
 
-  /** Draws the plan of the first room to a pane at y behind its outer wall, from its
-   * corner to x. */
-  void drawPlanToPane(double x, double y)
+  /** Draws the plan of the first room to a pane at y behind its outer wall, between two
+   * places along it. */
+  void drawPlanToPane(double from, double to, double y)
   {
-    auto& elements = plan.rooms[0].boundary.elements;
-    PlanElement pane = elements[0];
-    pane.start.y() = pane.end.y() = y;
-    pane.end.x() = x;
-    PlanElement side = pane;
-    side.start = pane.end;
-    side.end = elements[0].start = Eigen::Vector2d(x, 0);
-    elements.back().end = pane.start;
-    elements.insert(elements.begin(), {pane, side});
+    std::vector<Eigen::Vector2d> corners{{from, y}, {to, y},   {to, 0},
+                                         {5, 0},    {5, face}, {0, face}};
+    if (from > 0)
+      corners.insert(corners.end(), {{0, 0}, {from, 0}});
+    plan.rooms[0].boundary = sedr_test::polygon(corners);
   }
 
   /** Tilts the outer wall with all that was scanned of it, about its foot. */

@@ -88,7 +88,7 @@ TEST(Niches, DepthAndSizeAreThoseOfTheParameters)
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.31)), 1u);
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 1.06)), 0u) << "a hatch";
   EXPECT_EQ(nichesFor(recessed(1, 1.26, 0.5, 2.1, 0.25)), 0u) << "a slot";
-  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 1.16, 0.25)), 0u) << "a slot";
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 1.1, 0.25)), 0u) << "a slot";
   EXPECT_EQ(nichesFor(recessed(1, 1.7, 0.9, 1.6, 0.35)), 1u);
 }
 
@@ -152,6 +152,37 @@ TEST(Niches, AWallHasTwo)
   PlanRoom room = recessed(0.5, 1.1, 0.9, 2.1, 0.3);
   room.niches.push_back(recessed(2, 3.4, 0.5, 2.1, 0.4).niches[0]);
   expectFound(room, 0.002);
+}
+
+/** Returns how many niches are found in both rooms beside a wall of 24 cm, and expects
+ * no openings. */
+std::vector<std::size_t>
+nichesBeside(const PlanRoom& left, const std::vector<PlanNiche>& of_right)
+{
+  PlanRoom right = roomOf(rectangle(5.24, 0, 10, 4), 2.6, 2);
+  right.niches = of_right;
+  RoomPoints points(0.03);
+  points.room(left);
+  points.room(right);
+  Floorplan plan{{left, right}};
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(points.cloud());
+  EXPECT_TRUE(detection.segment(plan)) << detection.getErrorMessage();
+  EXPECT_TRUE(plan.openings.empty());
+  return {plan.rooms[0].niches.size(), plan.rooms[1].niches.size()};
+}
+
+TEST(Niches, OneAsLargeAsADoorHasAWallBehindIt)
+{
+  EXPECT_EQ(nichesBeside(recessed(1, 1.9, 0, 2.05, 0.1), {}),
+            (std::vector<std::size_t>{1, 0}));
+}
+
+TEST(Niches, OfTwoRoomsMayLieAboveEachOther)
+{
+  const PlanNiche upper{rectangle(5.08, 1, 5.24, 2.2), slabAt(1.3), slabAt(2.1)};
+  EXPECT_EQ(nichesBeside(recessed(1.2, 2.4, 0, 0.9, 0.15), {upper}),
+            (std::vector<std::size_t>{1, 1}));
 }
 
 /** A room of 4 x 3 x 2.5 m, scanned every 4 cm. */

@@ -141,13 +141,26 @@ TEST(OpeningDetection, WindowInACornerOfAPlanDrawnToItsPane)
 {
   TwoRooms scene(0.005);
   const Cut cut{0, 1.2, 0.9, 2.1};
-  scene.drawPlanToPane(1.2, -0.15);
+  scene.drawPlanToPane(0, 1.2, -0.15);
   scene.scanOuterWall({cut});
   scene.scanSheet(cut, -0.15, 2);
   const PlanOpening found = openingOf(scene, OpeningKind::Window);
   EXPECT_NEAR(std::max(found.start.x(), found.end.x()), cut.to, 0.02);
   EXPECT_NEAR(found.bottom, cut.bottom, 0.02);
   EXPECT_NEAR(found.top, cut.top, 0.02);
+}
+
+TEST(OpeningDetection, WallOfGlassInAPlanDrawnToItsPane)
+{
+  for (const double top : {2.3, 2.5}) {
+    TwoRooms scene(0.005);
+    const Cut cut{0.15, 4.85, 0, top};
+    scene.drawPlanToPane(cut.from, cut.to, -0.12);
+    scene.scanOuterWall({cut});
+    scene.scanSheet(cut, -0.12, 2);
+    const PlanOpening found = openingOf(scene, OpeningKind::Window);
+    expectEdges(found, cut, -0.1, 0.05);
+  }
 }
 
 TEST(OpeningDetection, HatchOnTheFloorIsNoDoor)
