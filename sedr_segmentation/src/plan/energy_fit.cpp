@@ -272,10 +272,6 @@ private:
       if (rooms_[r].boundary.elements.empty())
         continue;
       covers_[r] = coverOf(rooms_[r], others, cells_[r], grid_, max_wall);
-      if (covers_[r].lost > rooms_[r].area()) { // walls enclose the rim of other air
-        rooms_[r] = {};
-        continue;
-      }
       for (FittedBoundary& boundary :
            outlineSamples(rooms_[r], cells_[r], grid_.size(), near))
         boundaries.push_back(std::move(boundary));

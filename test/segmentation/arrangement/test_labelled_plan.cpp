@@ -105,34 +105,6 @@ TEST(LabelledPlan, EndsWhereTheAirEndsThatWasSeen)
   EXPECT_NEAR(plan.rooms[0].area(), 4.95 * 4, 0.21);
 }
 
-TEST(LabelledPlan, ASliverBeforeAirWithoutWallsIsNoRoom)
-{
-  const PlanLoop walls = rectangle(0, 0, 6, 4);
-  RoomPoints points(0.04, 0.003);
-  PlanEvidence evidence;
-  addRoom(points, points.room(walls, 0, 2.6), 1, evidence);
-  const auto isSeen = [](double x, double y) { // spots of what is outdoors
-    return (y < 4.5 && x > 1 && x < 4) ||
-           (std::lround(x / 0.08) + 3 * std::lround(y / 0.08)) % 7 == 0;
-  };
-  const PlanLoop outdoors = rectangle(0, 4.05, 6, 8);
-  RoomParts parts;
-  parts.floor = points.slab(outdoors, 0, isSeen);
-  parts.ceiling = points.slab(outdoors, 2.9, isSeen);
-  for (const double y : {4.1, 4.5})
-    parts.walls = joined(parts.walls, points.wall(segment({1, y}, {4, y}), 0, 2.9));
-  for (const double x : {1.0, 4.0})
-    parts.walls = joined(parts.walls, points.wall(segment({x, 4.1}, {x, 4.5}), 0, 2.9));
-  addRoom(points, parts, 2, evidence);
-  std::vector<PlanWarning> warnings;
-  const Floorplan plan = planOf(points, evidence, &warnings);
-  ASSERT_EQ(plan.rooms.size(), 1u);
-  EXPECT_LT(cornerError(plan.rooms[0].boundary, walls), 0.01);
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const PlanWarning& w) {
-    return w.kind == WarningKind::NoPlan && w.room == 2;
-  }));
-}
-
 TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
 {
   std::vector<PlanDivider> dividers;
