@@ -31,32 +31,30 @@ markGlass(const CellHits& hits,
   constexpr double usual = 0.8; // of the walls near: this quantile of their hits
   const double size = grid.size();
   const std::vector<float> of_wall = boxSums(room.seen, 2, hits.wall);
+  const CellMask surfaces = unite(room.solid, room.pillar);
   std::vector<float> open(hits.ceiling.size());
   std::vector<float> on_open(hits.ceiling.size());
   for (std::size_t i = 0; i < open.size(); ++i) {
-    open[i] = room.seen.values()[i] && !room.solid.values()[i] ? 1.0f : 0.0f;
+    open[i] = room.seen.values()[i] && !surfaces.values()[i] ? 1.0f : 0.0f;
     on_open[i] = open[i] * hits.ceiling[i];
   }
   const std::vector<float> cells_before = boxSums(room.seen, 7, open);
   const std::vector<float> hits_before = boxSums(room.seen, 7, on_open);
   // A wall crosses a square of 5 cells in some 5 cells: hits a square metre of it.
   const double wall_area = 5 * size * (p.band - frame);
-  std::vector<std::size_t> surfaces;
-  for (std::size_t i = 0; i < room.solid.values().size(); ++i)
-    if (room.solid.values()[i] || room.pillar.values()[i])
-      surfaces.push_back(i);
   const int reach = static_cast<int>(std::lround(p.pane_neighbours / size));
   std::vector<float> near;
-  for (const std::size_t i : surfaces) {
-    const Cell cell = room.solid.cellAt(i);
-    near.clear();
+  for (std::size_t i = 0; i < surfaces.values().size(); ++i) {
+    if (!surfaces.values()[i])
+      continue;
+    const Cell cell = surfaces.cellAt(i);
+    near.assign(1, of_wall[i]);
     for (int dy = -reach; dy <= reach; ++dy)
       for (int dx = -reach; dx <= reach; ++dx)
         if (const Cell c{cell.x + dx, cell.y + dy};
-            dx * dx + dy * dy <= reach * reach && room.solid.at(c))
+            (dx != 0 || dy != 0) && dx * dx + dy * dy <= reach * reach &&
+            room.solid.at(c))
           near.push_back(of_wall[room.solid.indexOf(c)]);
-    if (near.empty())
-      continue;
     const auto rank = near.begin() + static_cast<std::ptrdiff_t>(
                                          usual * static_cast<double>(near.size() - 1));
     std::nth_element(near.begin(), rank, near.end());
@@ -69,7 +67,7 @@ markGlass(const CellHits& hits,
   // Behind the sides of a column that few rays meet it is dark, behind a pane it is
   // not.
   const CellMask dark =
-      subtract(enclosedCells(unite(room.seen, room.solid)), dilated(hits.any, 1));
+      subtract(enclosedCells(unite(room.seen, surfaces)), dilated(hits.any, 1));
   room.glass = subtract(room.glass, dilated(dark, 3));
   room.pillar = subtract(room.pillar, room.glass);
 }

@@ -53,19 +53,19 @@ TEST(RoomCells, APlaceOnAWallTellsTheShareOfItsHeightThatWasSeen)
     }
 }
 
-/** Returns how many cells are pillars and how many glass on a surface, 2 m long, that
+/** Returns how many cells are pillars and how many glass on a surface, 5 m long, that
  * ends at a soffit beside a higher ceiling and of which a share of the rays returns. */
 std::pair<std::size_t, std::size_t>
 pillarsAndGlass(int one_in)
 {
   sedr_test::RoomPoints points(0.02, 0.002);
-  pcl::sedr::PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.6);
+  pcl::sedr::PlanRoom room = roomOf(rectangle(0, 0, 9, 5), 2.6);
   room.details.emplace_back();
-  room.details[0].boundary = rectangle(2, 4.6, 4, 5);
+  room.details[0].boundary = rectangle(2, 2.6, 7, 3);
   room.details[0].slab = slabAt(2.05);
   const RoomParts parts = points.room(room);
   const std::vector<int> surface =
-      points.wall(segment({2, 4.77}, {4, 4.77}), 0, 2.05, [&](double s, double z) {
+      points.wall(segment({2, 2.77}, {7, 2.77}), 0, 2.05, [&](double s, double z) {
         const auto ray = std::lround(s / 0.02) + 3 * std::lround(z / 0.02);
         return ray % one_in == 0;
       });
@@ -78,8 +78,8 @@ pillarsAndGlass(int one_in)
       pcl::sedr::roomCells(points.view(), {of_room}, {}, grid, {}, 1);
   pcl::sedr::findGlass(points.view(), {}, {}, grid, {}, 1, cells);
   std::pair<std::size_t, std::size_t> found;
-  for (double x = 2.2; x < 3.8; x += grid.size()) {
-    const pcl::sedr::Cell cell = grid.at(x, 4.77);
+  for (double x = 2.2; x < 6.8; x += grid.size()) {
+    const pcl::sedr::Cell cell = grid.at(x, 2.77);
     found.first += cells[0].pillar.at(cell) != 0;
     found.second += cells[0].glass.at(cell) != 0;
   }
@@ -88,10 +88,10 @@ pillarsAndGlass(int one_in)
 
 TEST(RoomCells, APaneUpToASoffitIsGlassAndNoPillar)
 {
-  EXPECT_GT(pillarsAndGlass(1).first, 20U);
+  EXPECT_GT(pillarsAndGlass(1).first, 80U);
   EXPECT_EQ(pillarsAndGlass(1).second, 0U);
   EXPECT_EQ(pillarsAndGlass(6).first, 0U);
-  EXPECT_GT(pillarsAndGlass(6).second, 20U);
+  EXPECT_GT(pillarsAndGlass(6).second, 60U);
 }
 
 } // namespace
