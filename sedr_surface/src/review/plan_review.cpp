@@ -290,8 +290,18 @@ judge(const Floorplan& plan, PlanReview& review)
   const double at_stake = stakeOf(std::find_if_not(first, end, isOfFrame), end) / all;
   const std::size_t most = std::min(leading_doubts, review.doubts.size());
   double left = stakeOf(first, end) / all;
-  while (review.checks < most && left > little)
-    left = stakeOf(first + static_cast<std::ptrdiff_t>(++review.checks), end) / all;
+  const auto isLikelyWrong = [&](const PlanDoubt& doubt) {
+    return std::any_of(
+        review.walls.begin(), review.walls.end(), [&](const Certainty& wall) {
+          return wall.right() < 0.5 && doubt.subject == "wall " + wall.element;
+        });
+  };
+  const auto leading = first + static_cast<std::ptrdiff_t>(most);
+  for (auto next = first; next != leading; ++next)
+    if (left > little || std::any_of(next, leading, isLikelyWrong)) {
+      left = stakeOf(next + 1, end) / all;
+      ++review.checks;
+    }
   if (at_stake > too_much) {
     review.verdict = ReviewVerdict::ScanAgain;
     review.text =
@@ -310,7 +320,7 @@ judge(const Floorplan& plan, PlanReview& review)
   else
     review.text = "hand it over";
   if (area > 0)
-    review.text += ": of its walls " + percent(review.within[0]) +
+    review.text += ": of the walls " + percent(review.within[0]) +
                    " are expected within 1 cm, " + percent(review.within[1]) +
                    " within 3 cm, " + percent(review.within[2]) + " within 5 cm";
 }

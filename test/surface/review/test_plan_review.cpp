@@ -12,12 +12,12 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 4 m x 3 m x 2.5 m of which all walls were measured, with a door. */
+/** A room, 2.5 m high, of which all walls were measured, with a door. */
 pcl::sedr::Floorplan
-measuredRoom()
+measuredRoom(const pcl::sedr::PlanLoop& outline = rectangle(0, 0, 4, 3))
 {
   pcl::sedr::Floorplan plan;
-  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5)};
+  plan.rooms = {roomOf(outline, 2.5)};
   for (pcl::sedr::PlanElement& wall : plan.rooms[0].boundary.elements) {
     wall.evidence = {1, 0, 0};
     wall.accuracy = {0.002, 0.01};
@@ -46,7 +46,7 @@ TEST(PlanReview, AMeasuredRoomIsHandedOver)
   EXPECT_TRUE(review.doubts.empty());
   EXPECT_EQ(review.verdict, ReviewVerdict::HandOver);
   EXPECT_EQ(review.checks, 0u);
-  EXPECT_EQ(review.text.rfind("hand it over: of its walls 9", 0), 0u) << review.text;
+  EXPECT_EQ(review.text.rfind("hand it over: of the walls 9", 0), 0u) << review.text;
   EXPECT_TRUE(firstOf(review.doubts).empty());
 }
 
@@ -70,6 +70,20 @@ TEST(PlanReview, WarningsOfOneWallAreOneDoubtWithItsCertainty)
                 " % sure: 2.0 m2 of what was seen there lie 7 cm behind it; "
                 "its place over 4.0 m is a guess: 60 % of it is inferred "
                 "behind what hides it, 30 % nobody saw");
+}
+
+TEST(PlanReview, AShortWallThatIsRatherWrongIsCheckedToo)
+{
+  Floorplan plan =
+      measuredRoom(polygon({{0, 0}, {12, 0}, {12, 9}, {6, 9}, {6, 8.5}, {0, 8.5}}));
+  EXPECT_EQ(reviewOf(plan, {}).verdict, ReviewVerdict::HandOver);
+  hideWall(plan, 4);
+  const PlanReview review = reviewOf(plan, {});
+  ASSERT_EQ(review.doubts.size(), 1u);
+  EXPECT_LT(review.walls[3].right(), 0.5);
+  EXPECT_LT(review.doubts[0].stake, 0.02 * 2 * plan.rooms[0].area());
+  EXPECT_EQ(review.verdict, ReviewVerdict::Check);
+  EXPECT_EQ(review.checks, 1u);
 }
 
 TEST(PlanReview, WhatIsNotSureIsADoubtWithoutAWarning)

@@ -172,9 +172,9 @@ pageData(const std::string& path, const PageSettings& settings)
   }
   const std::string scan = settings.scan.empty() ? folder.scanPath() : settings.scan;
   if (scan.empty() && folder.has("structure.pcd"))
-    warn("the page shows the points of structure.pcd in place of the scan: no folder "
-         "above the "
-         "model has it, nor the working directory; pcl_sedr_report --scan names it");
+    warn("the page shows the points of structure.pcd in place of the scan: neither a "
+         "folder above the model nor the working directory has it, with as many points "
+         "as the report tells; pcl_sedr_report --scan names it");
   json["scan"] = pagePoints(folder, scan, plan, mesh, solid, settings.range);
   return json;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_folder.h"
 
+#include "scan_file.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/field_access.h"
@@ -99,8 +100,10 @@ ResultFolder::scanPath() const
   for (fs::path at = fs::absolute(path_, error); at != at.root_path();
        at = at.parent_path())
     candidates.push_back(at / path); // a folder in which the run may have been
+  const auto points = valueAt(report_, "/input/points", std::size_t{0});
   for (const fs::path& candidate : candidates)
-    if (!path.empty() && fs::is_regular_file(candidate, error))
+    if (!path.empty() && fs::is_regular_file(candidate, error) &&
+        (points == 0 || ScanFile(candidate.string(), scanSettings()).size() == points))
       return candidate.string();
   return "";
 }

@@ -41,7 +41,8 @@ public:
   const Json& report() const { return report_; }
 
   /** @brief Returns the path of the scan that report.json names: in the working
-   * directory, the folder or one above it. Empty if it is in none of them. */
+   * directory, the folder or one above it. Empty if none of them has it: another scan
+   * of its name has other points. */
   std::string scanPath() const;
 
   /** @brief Returns how the scan was read: unit, origin and selections from the
