@@ -36,7 +36,7 @@ constexpr std::array<Words, 49> words{{
      "{0.1} % of the points are scattered all over the air: they were left out"},
     {"noise", "scan again", Stake::Plan, 0.5,
      "half of the points lie {0.1} cm or more off the planes that fit them best: the "
-     "scan is too noisy, or its points are strewn"},
+     "scan is noisy, which --plane-tolerance 0.1 allows for, or its points are strewn"},
     {"positions", "check the positions", Stake::None, 0,
      "{0.0} of {1.0} positions of the scanner are not where the points were taken "
      "from: they lie on a surface, or rays from there go through walls that were seen; "
