@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid_files.h"
 
-#include "bytes/input_file.h"
-#include "report.h"
+#include "bytes/whole_file.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/parallel.h"
