@@ -2,6 +2,7 @@
 #include "solid_files.h"
 
 #include "bytes/whole_file.h"
+#include "report.h" // SheetTexts as JSON
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/parallel.h"
