@@ -2,6 +2,7 @@
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include "../base/field_access.h"
+#include "../base/number_text.h"
 #include "../voxels/voxel_sums.h"
 
 #include <pcl/impl/instantiate.hpp>
@@ -195,7 +196,8 @@ VoxelGridSettings::problemOf(const RowSource& source, const pcl::Indices* indice
                                          {"the leaf along y", leaf_size_.y()},
                                          {"the leaf along z", leaf_size_.z()}});
   if (problem.empty() && !inverseLeaf().allFinite())
-    problem = "the leaf is too small for floats";
+    problem = "the leaf of " + numberText(leaf_size_.minCoeff()) +
+              " m is too small for floats";
   if (problem.empty())
     problem = source.problem();
   if (!problem.empty())
