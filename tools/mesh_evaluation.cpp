@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "run_tool.h"
 #include "scan_options.h"
 #include "tool_cloud.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "plan_file.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"

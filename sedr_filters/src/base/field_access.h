@@ -91,8 +91,9 @@ fieldSize(std::uint8_t datatype)
  * PLY, glTF and LAS ask for. */
 template <typename T>
 void
-append(std::string& bytes, const T& value)
+appendBytes(std::string& bytes, const T& value)
 {
+  static_assert(std::is_trivially_copyable_v<T>);
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 

@@ -2,6 +2,7 @@
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include "../base/field_access.h"
+#include "../base/number_text.h"
 #include "../voxels/voxel_sums.h"
 
 #include <pcl/impl/instantiate.hpp>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <sstream>
 
 namespace pcl::sedr {
 namespace {
@@ -192,20 +192,21 @@ writePlaces(const VoxelSums& sums,
 std::string
 VoxelGridSettings::problemOf(const RowSource& source, const pcl::Indices* indices) const
 {
-  if (!((leaf_size_.array() > 0).all() && leaf_size_.allFinite() &&
-        inverseLeaf().allFinite())) {
-    std::ostringstream problem;
-    problem << "the leaf must be above 0 m along x, y and z, it is " << leaf_size_.x()
-            << " x " << leaf_size_.y() << " x " << leaf_size_.z() << " m";
-    return problem.str();
-  }
-  if (!source.problem().empty())
-    return source.problem();
+  std::string problem = positiveProblem({{"the leaf along x", leaf_size_.x()},
+                                         {"the leaf along y", leaf_size_.y()},
+                                         {"the leaf along z", leaf_size_.z()}});
+  if (problem.empty() && !inverseLeaf().allFinite())
+    problem = "the leaf of " + numberText(leaf_size_.minCoeff()) +
+              " m is too small for floats";
+  if (problem.empty())
+    problem = source.problem();
+  if (!problem.empty())
+    return problem;
   if (source.size() >
       static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
     return "the cloud has " + std::to_string(source.size()) +
            " points, more than indices can count";
-  const std::string problem = fieldsProblem(source);
+  problem = fieldsProblem(source);
   if (!problem.empty())
     return problem;
   return indices ? indicesProblem(*indices, source.size()) : std::string();

@@ -2,7 +2,7 @@
 #include "plan_adjustment.h"
 
 #include "../curves/contour.h"
-#include "plan_unknowns.h"
+#include "plan_ties.h"
 #include "surface_fit.h"
 
 #include "sedr_filters/src/base/exactness.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_unknowns.h"
+#include "plan_ties.h"
 
 #include "sedr_filters/src/base/parallel.h"
 

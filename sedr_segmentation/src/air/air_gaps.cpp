@@ -2,6 +2,8 @@
 #include "air_gaps.h"
 
 #include "air_labelling.h"
+#include "hidden_air.h"
+#include "veils.h"
 
 #include "sedr_filters/src/base/parallel.h"
 

@@ -160,21 +160,6 @@ private:
   double void_area_ = 0;
 };
 
-/** @brief The gaps of a scan, those joined that only a veil parts: points between two
- * surfaces at different distances, which a scanner reports where its beam meets the
- * edge of the nearer one, as above the leaf of a door or a partition. A veil has less
- * than 60 % of the points that the surface behind it has: what is seen through it
- * cannot be behind a surface. One of the two gaps is lower than the headroom, and is
- * not the inside of a slab between storeys; beside a veil the air goes on through its
- * height, which it does not beside the head of a door. O(gaps).
- * @param fine columns half as wide as those of the gaps, with all that was seen
- * @return all gaps, in their order */
-std::vector<AirGap> withoutVeils(const AirGaps& air, const VoxelColumns& fine);
-
-// A slab has two faces. Where the air of two storeys is known in a column and not both
-// faces were seen, those that are missing are taken from the slabs around, and not
-// seen.
-
 /** @brief The gaps of a scan with those parted that reach through a hole in what was
  * seen of a slab, with headroom on both sides. A hole larger than
  * AirParameters::largest_hole is a void or a stairwell and stays open. O(gaps) for each
@@ -185,19 +170,12 @@ std::vector<AirGap> withHolesClosed(const AirGaps& air);
 /** @brief The gaps of a scan, those parted by a single surface moved apart to the faces
  * of a slab: where only the ceiling below it was seen, because furniture hid the floor,
  * the air above would reach down to that ceiling. Such places are taken region by
- * region: the face that was seen is the one that goes on along the region's rim;
- * without a rim it is a ceiling if ceilings elsewhere are as high, else the region is a
- * gallery. The other face lies as high as most do above or below such a one. A region
- * without any stays as it is. O(gaps).
+ * region, as a slab has two faces: the one that was seen is that which goes on along
+ * the region's rim; without a rim it is a ceiling if ceilings elsewhere are as high,
+ * else the region is a gallery. The other face lies as high as most do above or below
+ * such a one. A region without any stays as it is. O(gaps).
  * @param air linked
  * @return all gaps, in their order */
 std::vector<AirGap> withBothFaces(const AirGaps& air);
-
-/** @brief Gaps for columns in which an end of the air was not seen: furniture hid it,
- * or a beam, or it is below or above a scanner. The missing end is taken from where the
- * air comes from. Which of these columns are air is one labelling, see AirLabelling:
- * where known air and walls are around, so that the ground outside a door is not given
- * a ceiling. O(gaps) and a minimum cut. */
-std::vector<AirGap> hiddenAirOf(const AirGaps& air);
 
 } // namespace pcl::sedr

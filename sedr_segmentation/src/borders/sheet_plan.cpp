@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_plan.h"
 
 #include "../curves/contour.h"
 #include "../curves/loop_difference.h"
 #include "../curves/plan_curve.h"
 #include "../sheets/shape_proposals.h"
-#include "../sheets/sheet_fit.h"
 #include "../surface/cell_points.h"
 #include "border_steps.h"
 #include "cell_cracks.h"

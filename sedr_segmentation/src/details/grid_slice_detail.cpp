@@ -21,9 +21,9 @@ problemOf(const SliceParameters& parameters)
     return "the number of trials must be from 1 to 3, it is " +
            std::to_string(parameters.trials);
   const std::string problem =
-      lengthProblem({{"the grid size", parameters.cell_size},
-                     {"the distance threshold", parameters.tolerance},
-                     {"the slice thickness", parameters.slice_thickness}});
+      positiveProblem({{"the grid size", parameters.cell_size},
+                       {"the distance threshold", parameters.tolerance},
+                       {"the slice thickness", parameters.slice_thickness}});
   return problem.empty() ? problemOf(parameters.priors) : problem;
 }
 

@@ -2,9 +2,10 @@
 #include "energy_fit.h"
 
 #include "../arrangement/storey_plan.h"
-#include "../borders/border_steps.h"
+#include "../borders/sheet_plan.h"
 #include "../faces/storeys.h"
 #include "../sheets/sheet_fit.h"
+#include "wall_feet.h"
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"

@@ -64,14 +64,14 @@ joinNeighbours(PlanLoop& loop)
 std::string
 problemOf(const RoomFitParameters& p)
 {
-  const std::string problem = lengthProblem({{"the distance threshold", p.tolerance},
-                                             {"the grid size", p.cell_size},
-                                             {"the minimum radius", p.minimum_radius}});
+  std::string problem = positiveProblem({{"the distance threshold", p.tolerance},
+                                         {"the grid size", p.cell_size},
+                                         {"the minimum radius", p.minimum_radius}});
+  if (problem.empty())
+    problem = positiveProblem({{"the minimum detail area", p.minimum_detail_area}},
+                              "square metres");
   if (!problem.empty())
     return problem;
-  if (!(p.minimum_detail_area > 0))
-    return "the minimum detail area must be above 0 square metres, it is " +
-           std::to_string(p.minimum_detail_area);
   if (p.tolerance > 1)
     return "the distance threshold must be at most 1 m, it is " +
            std::to_string(p.tolerance);

@@ -19,20 +19,16 @@ namespace {
 std::string
 problemOf(const LevelParameters& p)
 {
-  const auto bad = [&](const char* what, double value, const char* range) {
-    return std::string(what) + " must be " + range + ", it is " + std::to_string(value);
-  };
-  if (!(p.tolerance > 0) || !std::isfinite(p.tolerance))
-    return bad("the distance threshold", p.tolerance, "above 0 m");
-  if (!(p.cell_size > 0) || !std::isfinite(p.cell_size))
-    return bad("the grid size", p.cell_size, "above 0 m");
   if (!(p.maximum_tilt >= 0 && p.maximum_tilt <= M_PI / 4))
-    return bad("the maximum tilt", p.maximum_tilt, "within 0 and pi/4 radians");
-  if (!(p.minimum_area > 0) || !std::isfinite(p.minimum_area))
-    return bad("the minimum area", p.minimum_area, "above 0 square metres");
-  if (!(p.minimum_room_height > 0) || !std::isfinite(p.minimum_room_height))
-    return bad("the minimum room height", p.minimum_room_height, "above 0 m");
-  return problemOf(p.priors);
+    return "the maximum tilt must be within 0 and pi/4 radians, it is " +
+           std::to_string(p.maximum_tilt);
+  std::string problem =
+      positiveProblem({{"the distance threshold", p.tolerance},
+                       {"the grid size", p.cell_size},
+                       {"the minimum room height", p.minimum_room_height}});
+  if (problem.empty())
+    problem = positiveProblem({{"the minimum area", p.minimum_area}}, "square metres");
+  return problem.empty() ? problemOf(p.priors) : problem;
 }
 
 /** @brief A point that may be of a plane, with the number of its cell. */

@@ -37,7 +37,7 @@ halfOfThoseFilled(VoxelColumns columns, unsigned threads)
 
 /** @brief Columns with surfaces where a sparse scan shows dots. */
 VoxelColumns
-withHolesClosed(VoxelColumns columns, unsigned threads)
+withDotsJoined(VoxelColumns columns, unsigned threads)
 {
   constexpr double widest_gap = 0.2;  // metres, between the dots of a surface
   constexpr double widest_hole = 0.4; // in a surface
@@ -324,7 +324,7 @@ findRooms(const PointView& points,
   const PartingParameters of_parting;
   VoxelColumns seen = half.halved(parameters.threads);
   seen.keepSurfaces(parameters.threads); // before holes are closed to strays
-  const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
+  const VoxelColumns columns = withDotsJoined(seen, parameters.threads);
   const AirGaps air(columns, seen, airParameters(parameters), &half);
   return describe(air, of_parting, fine, points, indices, parameters, behind);
 }

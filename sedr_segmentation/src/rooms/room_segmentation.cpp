@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../stairs/level_patches.h"
+#include "../stairs/stair_priors.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/point_types.h>
@@ -22,12 +22,12 @@ problemOf(const BuildingParameters& parameters)
     return "the minimum enclosure must be within 0 and 1, it is " +
            std::to_string(parameters.minimum_enclosure);
   const std::string problem =
-      lengthProblem({{"the grid size", parameters.cell_size},
-                     {"the headroom", parameters.headroom},
-                     {"the storey step", parameters.storey_step}});
+      positiveProblem({{"the grid size", parameters.cell_size},
+                       {"the headroom", parameters.headroom},
+                       {"the storey step", parameters.storey_step}});
   return problem.empty()
-             ? lengthProblem({{"the minimum area", parameters.minimum_area}},
-                             "square metres")
+             ? positiveProblem({{"the minimum area", parameters.minimum_area}},
+                               "square metres")
              : problem;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "patch_normals.h"
+#include "scan_tilt.h"
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
 

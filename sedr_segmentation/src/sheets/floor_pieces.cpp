@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "floor_pieces.h"
 
 #include "../surface/cell_points.h"
 #include "sedr_filters/src/base/plane_fit.h"
-#include "sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>

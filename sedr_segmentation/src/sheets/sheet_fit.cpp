@@ -3,6 +3,7 @@
 
 #include "../surface/cell_points.h"
 #include "facet_choice.h"
+#include "floor_pieces.h"
 #include "shape_proposals.h"
 
 #include "sedr_filters/src/base/quantiles.h"

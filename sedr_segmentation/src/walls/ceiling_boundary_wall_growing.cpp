@@ -75,14 +75,12 @@ plan(const PointView& points, const pcl::Indices& indices)
 std::string
 problemOf(const WallGrowingOptions& options)
 {
-  const auto mustBe = [](const char* what, const char* range, double value) {
-    return std::string(what) + " must be " + range + ", it is " + numberText(value);
-  };
-  if (!(options.distance > 0) || !std::isfinite(options.distance))
-    return mustBe("the distance threshold", "above 0 m", options.distance);
-  if (std::isinf(options.slice_height))
-    return mustBe("the slice height", "finite", options.slice_height);
-  return {};
+  const std::string problem =
+      positiveProblem({{"the distance threshold", options.distance}});
+  if (problem.empty() && std::isinf(options.slice_height))
+    return "the slice height must be finite, it is " +
+           std::to_string(options.slice_height);
+  return problem;
 }
 
 /** @brief Sorts the indices a user gave into parts. Null pointers stand for no points.

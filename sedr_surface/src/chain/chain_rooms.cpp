@@ -7,7 +7,7 @@
 #include "sedr_filters/src/walls/plan_walls.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
+#include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "seen_surfaces.h"
 
 #include "sedr_filters/src/walls/plan_walls.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
+#include "sedr_segmentation/src/sheets/floor_pieces.h"
 #include <pcl/sedr_filters/impl/cell_grid.h>
 #include <pcl/sedr_surface/plan_review.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../drawing/plan_drawing.h"
-#include "../mesh/mesh_repair.h"
+#include "../mesh/mesh_outlines.h"
 #include "../walls/wall_band.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>

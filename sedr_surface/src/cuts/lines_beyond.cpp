@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cut_drawing.h"
 
-#include "../mesh/mesh_repair.h"
+#include "../mesh/mesh_outlines.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dimension_rows.h"
 
-#include "../mesh/mesh_repair.h"
+#include "../mesh/mesh_outlines.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 
 #include <algorithm>

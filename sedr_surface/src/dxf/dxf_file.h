@@ -30,8 +30,9 @@ public:
   DxfText& group(int code, double value) { return group(code, decimalText(value, 7)); }
   DxfText& group(int code, int value)
   {
-    const bool is_real = (code >= 10 && code < 60) || (code >= 140 && code < 150) ||
-                         (code >= 210 && code < 240);
+    // The code tells the type of the value: these have reals, which need a point.
+    const bool is_real = (code >= 10 && code < 60) || (code >= 110 && code < 150) ||
+                         (code >= 210 && code < 240) || (code >= 460 && code < 470);
     return is_real ? group(code, 1. * value) : group(code, std::to_string(value));
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../../sedr_filters/src/base/field_access.h"
+#include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/labels.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
@@ -73,7 +73,7 @@ addColour(std::string& bytes, std::uint32_t label)
 {
   const LabelColour colour = colourOf(label);
   for (const double channel : {colour.red, colour.green, colour.blue})
-    append(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
+    appendBytes(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
 }
 
 } // namespace
@@ -96,27 +96,27 @@ meshToPly(const TriangleMesh& mesh,
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (int k = 0; k < 3; ++k)
       if (needs_doubles)
-        append(bytes, mesh.vertices[v][k]);
+        appendBytes(bytes, mesh.vertices[v][k]);
       else
-        append(bytes, static_cast<float>(mesh.vertices[v][k]));
+        appendBytes(bytes, static_cast<float>(mesh.vertices[v][k]));
     if (has_colours) {
-      append(bytes, colours[v].rgb);
-      append(bytes, std::uint8_t(colours[v].is_seen ? 1 : 0));
+      appendBytes(bytes, colours[v].rgb);
+      appendBytes(bytes, std::uint8_t(colours[v].is_seen ? 1 : 0));
     }
     else if (!mesh.labels.empty())
       addColour(bytes, labels[v]);
     if (!mesh.labels.empty())
-      append(bytes, labels[v]);
+      appendBytes(bytes, labels[v]);
     if (!mesh.rooms.empty())
-      append(bytes, rooms[v]);
+      appendBytes(bytes, rooms[v]);
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    append(bytes, std::uint8_t{3});
+    appendBytes(bytes, std::uint8_t{3});
     for (const std::uint32_t v : mesh.triangles[t])
-      append(bytes, v);
+      appendBytes(bytes, v);
     for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
       if (!attribute->empty())
-        append(bytes, (*attribute)[t]);
+        appendBytes(bytes, (*attribute)[t]);
     if (!has_colours && !mesh.labels.empty())
       addColour(bytes, mesh.labels[t]);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../../sedr_filters/src/base/field_access.h"
+#include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_filters/src/base/number_text.h"
 
@@ -226,12 +226,12 @@ private:
       for (const std::uint32_t vertex : mesh_.triangles[t]) {
         const auto number = static_cast<std::uint32_t>(number_of.size());
         const auto [entry, is_new] = number_of.emplace(vertex, number);
-        append(corners, entry->second);
+        appendBytes(corners, entry->second);
         if (!is_new)
           continue;
         const Eigen::Vector3f p = turned(mesh_.vertices[vertex]).cast<float>();
         box.extend(p);
-        append(bytes_, std::array<float, 3>{p.x(), p.y(), p.z()});
+        appendBytes(bytes_, std::array<float, 3>{p.x(), p.y(), p.z()});
       }
     const std::size_t place = addAccessor(start, number_of.size(), vertices);
     json_["accessors"][place]["min"] = {box.min().x(), box.min().y(), box.min().z()};
@@ -277,16 +277,16 @@ private:
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t binary = bytes_.empty() ? 0 : 8 + bytes_.size();
     std::string glb;
-    append(glb, magic);
-    append(glb, std::uint32_t{2});
-    append(glb, static_cast<std::uint32_t>(12 + 8 + text.size() + binary));
-    append(glb, static_cast<std::uint32_t>(text.size()));
-    append(glb, json_chunk);
+    appendBytes(glb, magic);
+    appendBytes(glb, std::uint32_t{2});
+    appendBytes(glb, static_cast<std::uint32_t>(12 + 8 + text.size() + binary));
+    appendBytes(glb, static_cast<std::uint32_t>(text.size()));
+    appendBytes(glb, json_chunk);
     glb += text;
     if (bytes_.empty())
       return glb;
-    append(glb, static_cast<std::uint32_t>(bytes_.size())); // multiple of four
-    append(glb, binary_chunk);
+    appendBytes(glb, static_cast<std::uint32_t>(bytes_.size())); // multiple of four
+    appendBytes(glb, binary_chunk);
     return glb + bytes_;
   }
 

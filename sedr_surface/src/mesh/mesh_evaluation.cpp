@@ -2,7 +2,6 @@
 #include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include "mesh_repair.h"
-#include "sedr_filters/src/base/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -64,10 +63,9 @@ MeshEvaluation::checkParameters()
 {
   if (!mesh_.mesh)
     return fail(class_name, "no mesh is set");
-  if (!(sample_spacing_ > 0) || !std::isfinite(sample_spacing_))
-    return fail(class_name, "the sample spacing must be above 0 m, it is " +
-                                sedr::numberText(sample_spacing_) + " m");
-  return true;
+  const std::string problem =
+      sedr::positiveProblem({{"the sample spacing", sample_spacing_}});
+  return problem.empty() || fail(class_name, problem);
 }
 
 bool

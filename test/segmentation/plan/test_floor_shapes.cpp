@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
 #include "sedr_segmentation/src/plan/energy_fit.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
+#include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include <ostream>
 

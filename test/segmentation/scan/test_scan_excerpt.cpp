@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rows_in_pieces.h"
 #include "sedr_filters/src/base/field_access.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 #include <Eigen/Geometry>
@@ -9,8 +8,6 @@
 #include <pcl/point_types.h>
 
 #include <cmath>
-#include <limits>
-#include <random>
 #include <vector>
 
 namespace {

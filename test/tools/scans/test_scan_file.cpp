@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scan that is read piece by piece is the scan as a whole.
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "scan_folder.h"
 
 #include <pcl/conversions.h>

@@ -2,6 +2,7 @@
 #include "plan_file.h"
 
 #include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "formats/scan_formats.h"
 #include "run_tool.h"
 #include "tool_error.h"

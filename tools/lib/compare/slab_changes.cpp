@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rooms, ceilings and floors are compared cell by cell.
-#include "comparison.h"
+#include "element_changes.h"
 
 #include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/plan/plan_geometry.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "comparison.h"
+#include "element_changes.h"
 
 #include <algorithm>
 #include <cmath>

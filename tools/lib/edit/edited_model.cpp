@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edited_model.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "colours/scan_colours.h"
 #include "model/report.h"
 #include "model/solid_files.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_run.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid_files.h"
 
-#include "bytes/input_file.h"
-#include "report.h"
+#include "bytes/whole_file.h"
+#include "report.h" // SheetTexts as JSON
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/parallel.h"

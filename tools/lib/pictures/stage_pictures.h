@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "options.h"
 #include "picture.h"
 #include "tool_cloud.h"

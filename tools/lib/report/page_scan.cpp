@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report_page.h"
-#include "results/result_folder.h"
+#include "page_parts.h"
+#include "results/display_cloud.h"
 #include "scan_file.h"
 
 #include <pcl/sedr_filters/plan_measures.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_page.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "colour.h"
 #include "plan_file.h"
+#include "report/page_parts.h"
 #include "results/result_folder.h"
 #include "run_tool.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "scan_file.h"
 #include "tool_cloud.h"
 #include "tool_error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_scan.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "result_exchange.h"
 #include "run_tool.h"
 #include "tool_error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tagged_scan.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "formats/las_output.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
@@ -172,20 +172,22 @@ public:
     if (!place.allFinite())
       return nullptr;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      append(point_, stepsTo(place[static_cast<Eigen::Index>(axis)], axis));
+      appendBytes(point_, stepsTo(place[static_cast<Eigen::Index>(axis)], axis));
     const StoredField* const intensity = file.storedRow().find("intensity");
     const bool has_intensity =
         intensity && (intensity->datatype == StoredField::UINT16 ||
                       intensity->datatype == StoredField::UINT8);
-    append(point_,
-           static_cast<std::uint16_t>(has_intensity ? intensity->valueIn(stored) : 0));
-    append(point_, std::uint8_t{0x11}); // the first of one return
-    append(point_,
-           std::array<char, 15>{}); // flags, class, user data, angle, source and time
+    appendBytes(point_, static_cast<std::uint16_t>(
+                            has_intensity ? intensity->valueIn(stored) : 0));
+    appendBytes(point_, std::uint8_t{0x11}); // the first of one return
+    appendBytes(
+        point_,
+        std::array<char, 15>{}); // flags, class, user data, angle, source and time
     const auto* const colour = file.colour();
     for (std::size_t k = 3; k-- > 0 && has_colours_;) { // blue is the first byte
       const unsigned channel = colour ? row[colour->offset + k] : 0;
-      append(point_, static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
+      appendBytes(point_,
+                  static_cast<std::uint16_t>(257 * channel)); // 255 becomes 65535
     }
     return reinterpret_cast<const std::uint8_t*>(point_.data());
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "colour.h"
-#include "results/result_folder.h"
+#include "results/display_cloud.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/triangle_mesh.h>

@@ -3,7 +3,7 @@
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/missing_things.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "tool_error.h"
 
 #include <pcl/visualization/interactor_style.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth.h"
 
-#include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "simulator/scene/file/furniture.h"
 #include "simulator/scene/queries.h"

@@ -79,9 +79,9 @@ LasOutput::add(const std::uint8_t* record, const PointTag& tag)
   bytes_.assign(reinterpret_cast<const char*>(record), size_);
   const int flags = is_old_ ? record[15] & 0xe0 : 0; // in one byte with the class
   bytes_[is_old_ ? 15 : 16] = static_cast<char>(flags | classOf(tag.label));
-  append(bytes_, static_cast<std::uint8_t>(tag.label));
-  append(bytes_, static_cast<std::uint16_t>(tag.room));
-  append(bytes_, static_cast<std::uint16_t>(tag.owner));
+  appendBytes(bytes_, static_cast<std::uint8_t>(tag.label));
+  appendBytes(bytes_, static_cast<std::uint16_t>(tag.room));
+  appendBytes(bytes_, static_cast<std::uint16_t>(tag.owner));
   stream_ << bytes_;
   std::array<std::int32_t, 3> steps{};
   std::memcpy(steps.data(), record, sizeof steps);

@@ -43,7 +43,7 @@ template <typename PointT>
 std::string
 FloorProjectionRecovery<PointT>::problem() const
 {
-  std::string problem = sedr::lengthProblem({{"the grid size", grid_size_}});
+  std::string problem = sedr::positiveProblem({{"the grid size", grid_size_}});
   if (problem.empty())
     problem = sedr::indicesProblem("floor", indices_, input_->size());
   if (problem.empty() && (!ceiling_ || ceiling_->empty()))

@@ -52,7 +52,7 @@ template <typename PointT>
 bool
 GridRegionOutlierRemoval<PointT>::validate()
 {
-  std::string problem = sedr::lengthProblem({{"the grid size", cell_size_}});
+  std::string problem = sedr::positiveProblem({{"the grid size", cell_size_}});
   if (problem.empty())
     problem = sedr::indicesProblem(*indices_, input_->size());
   return problem.empty() || fail("GridRegionOutlierRemoval", problem);

@@ -96,17 +96,17 @@ private:
   ConstPtr indices_;
 };
 
-/** @brief Returns what is wrong with the first of some lengths that is not above 0, as
- * a sentence; empty if all are.
- * @param lengths {{"the grid size", 0.1}} */
+/** @brief Returns what is wrong with the first of some values that is not above 0, or
+ * not finite, as a sentence; empty if all are.
+ * @param values {{"the grid size", 0.1}} */
 inline std::string
-lengthProblem(std::initializer_list<std::pair<const char*, double>> lengths,
-              const char* unit = "m")
+positiveProblem(std::initializer_list<std::pair<const char*, double>> values,
+                const char* unit = "m")
 {
-  for (const auto& [what, length] : lengths)
-    if (!(length > 0) || !std::isfinite(length))
+  for (const auto& [what, value] : values)
+    if (!(value > 0) || !std::isfinite(value))
       return std::string(what) + " must be above 0 " + unit + ", it is " +
-             std::to_string(length);
+             std::to_string(value);
   return {};
 }
 

@@ -17,7 +17,7 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
   std::vector<std::uint32_t> labels = this->labels_;
   std::vector<std::uint32_t> rooms = this->rooms_;
   std::string problem =
-      sedr::lengthProblem({{"the maximum distance", maximum_distance_}});
+      sedr::positiveProblem({{"the maximum distance", maximum_distance_}});
   if (problem.empty())
     problem = sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
   if (!problem.empty()) {

@@ -24,7 +24,7 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   this->startRun(output);
   std::vector<std::uint32_t> labels = this->labels_;
   std::vector<std::uint32_t> rooms = this->rooms_;
-  std::string problem = sedr::lengthProblem({{"the grid size", grid_size_}});
+  std::string problem = sedr::positiveProblem({{"the grid size", grid_size_}});
   if (problem.empty())
     problem = sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
   if (problem.empty())
