@@ -58,9 +58,12 @@ struct SampleResult {
     write(folder / "mesh.ply", pcl::sedr::meshToPly(mesh));
     write(folder / "solid.ply",
           pcl::sedr::meshToPly(solid, pcl::sedr::elementComments(solid, elements)));
-    write(folder / "report.json",
-          R"({"format": "sedr-report", "version": 1, "input": {"path": "scan.pcd",
- "points": 1, "unit": 1}, "parameters": {"voxel_size": 0.1}, "stages": [], "rooms": [],
+    write(
+        folder / "report.json",
+        R"({"format": "sedr-report", "version": 1, "input": {"path": "scan.pcd",
+ "points": )" +
+            std::to_string(scan.points.size()) +
+            R"(, "unit": 1}, "parameters": {"voxel_size": 0.1}, "stages": [], "rooms": [],
  "warnings": []})");
   }
 };

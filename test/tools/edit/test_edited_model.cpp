@@ -223,11 +223,18 @@ TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
       << "it is beside the folder";
   EXPECT_EQ(bytesOf(in("model/report.html")).find("floorplan.json~"),
             std::string::npos);
-  std::filesystem::remove(in("scan.pcd"));
-  const ProgramRun result = run(FLOORPLAN_EDIT, edit);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.err.find("the page shows the points of structure.pcd"),
-            std::string::npos);
+  for (const bool is_other : {true, false}) { // a scan of the name, or none
+    if (is_other)
+      std::filesystem::copy_file(in("model/structure.pcd"), in("scan.pcd"),
+                                 std::filesystem::copy_options::overwrite_existing);
+    else
+      std::filesystem::remove(in("scan.pcd"));
+    const ProgramRun result = run(FLOORPLAN_EDIT, edit);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("the page shows the points of structure.pcd"),
+              std::string::npos)
+        << is_other;
+  }
 }
 
 TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
