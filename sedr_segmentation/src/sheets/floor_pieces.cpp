@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floor_pieces.h"
+#include "sheet_fit.h"
 
 #include "../surface/cell_points.h"
 #include "sedr_filters/src/base/plane_fit.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facet_choice.h"
+#include "sheet_fit.h"
 
 #include "../surface/cell_points.h"
 
