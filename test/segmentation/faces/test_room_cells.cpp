@@ -63,7 +63,9 @@ pillarsAndGlass(int one_in)
   room.details.emplace_back();
   room.details[0].boundary = rectangle(2, 2.6, 7, 3);
   room.details[0].slab = slabAt(2.05);
-  const RoomParts parts = points.room(room);
+  const RoomParts parts = points.room(room, [](const Eigen::Vector3d& p) {
+    return p.y() < 2.5 || p.y() > 3.1; // no wall within 2 m of the surface
+  });
   const std::vector<int> surface =
       points.wall(segment({2, 2.77}, {7, 2.77}), 0, 2.05, [&](double s, double z) {
         const auto ray = std::lround(s / 0.02) + 3 * std::lround(z / 0.02);
