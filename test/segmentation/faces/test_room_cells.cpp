@@ -92,8 +92,8 @@ TEST(RoomCells, APaneUpToASoffitIsGlassAndNoPillar)
 {
   EXPECT_GT(pillarsAndGlass(1).first, 80U);
   EXPECT_EQ(pillarsAndGlass(1).second, 0U);
-  EXPECT_EQ(pillarsAndGlass(6).first, 0U);
-  EXPECT_GT(pillarsAndGlass(6).second, 60U);
+  EXPECT_EQ(pillarsAndGlass(10).first, 0U);
+  EXPECT_GT(pillarsAndGlass(10).second, 10U);
 }
 
 } // namespace
