@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -14,6 +15,22 @@ namespace {
 
 constexpr double thinnest = 0.002; // metres, of a cell
 constexpr double same_end = 1e-7;  // metres
+
+/** @brief Returns the way from a place in a convex polygon to its edge. */
+double
+wayOut(const PlanCells::Polygon& polygon,
+       const Eigen::Vector2d& p,
+       const Eigen::Vector2d& way)
+{
+  double length = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d inward =
+        leftOf(polygon[(i + 1) % polygon.size()] - polygon[i]);
+    if (inward.dot(way) < 0)
+      length = std::min(length, inward.dot(polygon[i] - p) / inward.dot(way));
+  }
+  return length;
+}
 
 } // namespace
 
@@ -30,15 +47,56 @@ PlanCells::PlanCells(const Eigen::AlignedBox2d& box,
   nodes_.emplace_back();
   nodes_[0].cell = 0;
   for (const PlanDivider& divider : dividers)
-    part(0, divider);
+    part(0, throughOpenEnds(divider));
   for (const Cell& cell : cells_) {
     polygons_.push_back(cell.corners);
-    is_at_edge_.push_back(std::any_of(cell.lines.begin(), cell.lines.end(),
-                                      [](auto l) { return l < 0; }));
+    is_at_edge_.push_back(isAtEdge(cell) ? 1 : 0);
   }
   findBorders(cells_, dividers);
   cells_.clear();
   nodes_.clear();
+}
+
+bool
+PlanCells::isAtEdge(const Cell& cell)
+{
+  return std::any_of(cell.lines.begin(), cell.lines.end(),
+                     [](auto line) { return line < 0; });
+}
+
+const PlanCells::Cell&
+PlanCells::cellAt(const Eigen::Vector2d& p) const
+{
+  std::size_t n = 0;
+  while (nodes_[n].cell < 0)
+    n = static_cast<std::size_t>(
+        nodes_[n].normal.dot(p) < nodes_[n].offset ? nodes_[n].below : nodes_[n].above);
+  return cells_[static_cast<std::size_t>(nodes_[n].cell)];
+}
+
+/** @brief Returns a divider that goes on up to the edges of the cells in which it ends,
+ * and through thin ones beyond that are open to the edge of the rectangle: between the
+ * faces of a wall that ends before them. */
+PlanDivider
+PlanCells::throughOpenEnds(PlanDivider divider) const
+{
+  const auto lengthen = [&](Eigen::Vector2d& end, const Eigen::Vector2d& way) {
+    Eigen::Vector2d p = end;
+    const Cell* cell = &cellAt(p);
+    double length = std::max(0.0, wayOut(cell->corners, p, way));
+    do {
+      end = p + length * way;
+      p = end + thinnest * way;
+      cell = &cellAt(p);
+      length = wayOut(cell->corners, p, way);
+    } while (length > 0 && length < divider.through && isAtEdge(*cell));
+  };
+  const Eigen::Vector2d way = (divider.end - divider.start).normalized();
+  if (divider.through > 0) {
+    lengthen(divider.start, -way);
+    lengthen(divider.end, way);
+  }
+  return divider;
 }
 
 /** @brief Parts the cells below a node that a divider enters. */

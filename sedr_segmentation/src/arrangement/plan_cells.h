@@ -15,6 +15,8 @@ struct PlanDivider {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   Eigen::Vector2d end = Eigen::Vector2d::Zero();
   std::uint32_t line = 0; ///< dividers of one line have one number
+  double through = 0;     ///< maximum width, metres, of cells beyond its ends that are
+                          ///< open to the edge of the plan and that it parts too
 };
 
 /** @brief Where two cells meet: a stretch of a line. */
@@ -29,8 +31,8 @@ struct CellBorder {
 };
 
 /** @brief The convex cells into which dividers part a rectangle, and where they meet. A
- * divider parts each cell that it enters from side to side, so its last pieces may go
- * on up to the next line. */
+ * divider parts each cell that it enters from side to side, so its last pieces go on up
+ * to the next line, or the next but one, see PlanDivider::through. */
 class PlanCells {
 public:
   using Polygon = std::vector<Eigen::Vector2d>; ///< counter-clockwise
@@ -59,6 +61,9 @@ private:
     std::int64_t cell = -1;
   };
 
+  static bool isAtEdge(const Cell& cell);
+  const Cell& cellAt(const Eigen::Vector2d& p) const;
+  PlanDivider throughOpenEnds(PlanDivider divider) const;
   void part(std::size_t node, const PlanDivider& divider);
   void partCell(std::size_t node, const PlanDivider& divider);
   void findBorders(const std::vector<Cell>& cells,

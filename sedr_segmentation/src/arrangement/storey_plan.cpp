@@ -17,7 +17,9 @@ namespace {
 
 /** @brief Returns the straight pieces of lines and arcs, numbered by their line. */
 std::vector<PlanDivider>
-dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_of)
+dividersOf(const std::vector<StoreyLine>& lines,
+           double max_wall,
+           std::vector<std::size_t>& line_of)
 {
   constexpr double longest = 0.2; // metres, of a chord of an arc,
   constexpr double share = 0.5;   // of its radius
@@ -35,7 +37,8 @@ dividersOf(const std::vector<StoreyLine>& lines, std::vector<std::size_t>& line_
     for (std::size_t i = 0; i < pieces; ++i) {
       const double from = line.from + static_cast<double>(i) * step;
       dividers.push_back({line.at(from), line.at(from + step),
-                          static_cast<std::uint32_t>(line_of.size())});
+                          static_cast<std::uint32_t>(line_of.size()),
+                          line.curve.isCircle() ? 0 : max_wall});
       line_of.push_back(k);
     }
   }
@@ -336,12 +339,12 @@ labelStorey(const StoreyEvidence& evidence,
     box.extend(evidence.grid.centre(evidence.cells[r].seen.box().high));
   }
   std::vector<std::size_t> line_of;
-  PlanCells arrangement(box, dividersOf(lines, line_of));
+  PlanCells arrangement(box, dividersOf(lines, evidence.max_wall, line_of));
   const std::vector<StoreyLine> bounds = airBounds(evidence, lines, arrangement);
   if (!bounds.empty()) {
     lines.insert(lines.end(), bounds.begin(), bounds.end());
     line_of.clear();
-    arrangement = PlanCells(box, dividersOf(lines, line_of));
+    arrangement = PlanCells(box, dividersOf(lines, evidence.max_wall, line_of));
   }
   std::vector<CellBorder> borders = arrangement.borders();
   nameBorders(lines, line_of, borders);

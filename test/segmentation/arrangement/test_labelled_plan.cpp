@@ -6,6 +6,7 @@
 
 #include <pcl/sedr_filters/plan_editor.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace {
@@ -105,6 +106,24 @@ TEST(LabelledPlan, EndsWhereTheAirEndsThatWasSeen)
   EXPECT_NEAR(plan.rooms[0].area(), 4.95 * 4, 0.21);
 }
 
+TEST(PlanCells, LinesGoOnBetweenTheFacesOfAWallThatEndsBeforeThem)
+{
+  // Both faces of a wall, 12 cm thick, and lines that end at one of them each.
+  for (const double through : {0.0, 0.6}) {
+    const PlanCells cells({Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 10)},
+                          {{{5, 0}, {5, 10}, 0, 0},
+                           {{5.12, 0}, {5.12, 10}, 1, 0},
+                           {{0, 8}, {4, 8}, 2, through},
+                           {{10, 7}, {6, 7}, 3, through}});
+    std::size_t within = 0; // of the wall
+    for (const PlanCells::Polygon& cell : cells.polygons())
+      within += std::all_of(cell.begin(), cell.end(),
+                            [](const auto& p) { return p.x() > 4.9 && p.x() < 5.2; });
+    EXPECT_EQ(cells.polygons().size(), through > 0 ? 7U : 5U);
+    EXPECT_EQ(within, through > 0 ? 3U : 1U);
+  }
+}
+
 TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
 {
   std::vector<PlanDivider> dividers;
@@ -114,7 +133,7 @@ TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
          {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)}) {
       const Eigen::Vector2d start = k * Eigen::Vector2d(along.y(), along.x());
       dividers.push_back(
-          {start, start + 10 * along, static_cast<std::uint32_t>(curves.size())});
+          {start, start + 10 * along, static_cast<std::uint32_t>(curves.size()), 0});
       curves.push_back(lineThrough(start, start + along));
     }
   const PlanCells cells({Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 10)}, dividers);
