@@ -35,7 +35,69 @@ Origin::fromComment(const std::string& line, Origin& origin)
   return at != std::string::npos && fromText(line.substr(at + word.size()), origin);
 }
 
-// Not in the header: it takes five seconds to compile.
+// Products of matrices are not in the header: they take a second to compile, wherever
+// it is included.
+
+bool
+Origin::isZero() const
+{
+  return place.isZero(0);
+}
+
+Eigen::Vector3d
+Origin::toLocal(const Eigen::Vector3d& p) const
+{
+  return p - place;
+}
+
+Eigen::Vector3d
+Origin::toGiven(const Eigen::Vector3d& p) const
+{
+  return p + place;
+}
+
+bool
+operator==(const Origin& a, const Origin& b)
+{
+  return a.place == b.place;
+}
+
+Eigen::Vector3d
+BuildingFrame::toBuilding(const Eigen::Vector3d& p) const
+{
+  return rotation * (p - origin);
+}
+
+Eigen::Vector3d
+BuildingFrame::toScan(const Eigen::Vector3d& p) const
+{
+  return rotation.transpose() * p + origin;
+}
+
+BuildingFrame
+BuildingFrame::to(const BuildingFrame& other) const
+{
+  return {other.rotation * rotation.transpose(), toBuilding(other.origin)};
+}
+
+Eigen::Vector3d
+Levelling::level(const Eigen::Vector3d& p) const
+{
+  return rotation * (p - about) + about;
+}
+
+Eigen::Vector3d
+Levelling::back(const Eigen::Vector3d& p) const
+{
+  return rotation.transpose() * (p - about) + about;
+}
+
+bool
+ScanPosition::isKnown() const
+{
+  return place.allFinite();
+}
+
 Levelling
 Levelling::of(const Eigen::Vector3d& up, const Eigen::Vector3d& about)
 {

@@ -143,17 +143,16 @@ PlanElement::areaUnder() const
   return area;
 }
 
-Eigen::AlignedBox2d
-boxAround(const PlanElement& element)
+Eigen::Vector2d
+PlanFlight::middle(std::size_t riser) const
 {
-  Eigen::AlignedBox2d box(element.start.cwiseMin(element.end),
-                          element.start.cwiseMax(element.end));
-  if (element.isArc()) {
-    const Eigen::Vector2d radius = Eigen::Vector2d::Constant(element.radius);
-    box.extend(element.centre - radius);
-    box.extend(element.centre + radius);
-  }
-  return box;
+  return (risers[riser][0] + risers[riser][1]) / 2;
+}
+
+double
+PlanOpening::width() const
+{
+  return (end - start).norm();
 }
 
 namespace {

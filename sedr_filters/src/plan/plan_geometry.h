@@ -84,46 +84,17 @@ leftOf(const Eigen::Vector2d& way)
 }
 
 /** @brief Returns the loop of straight segments between corners. */
-inline PlanLoop
-loopOf(const std::vector<Eigen::Vector2d>& corners)
-{
-  PlanLoop loop;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    loop.elements.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
-  return loop;
-}
+PlanLoop loopOf(const std::vector<Eigen::Vector2d>& corners);
 
 /** @brief Returns the outline of a box. */
-inline PlanLoop
-loopAround(const Eigen::AlignedBox2d& box)
-{
-  const Eigen::Vector2d low = box.min();
-  const Eigen::Vector2d high = box.max();
-  return loopOf({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
-}
+PlanLoop loopAround(const Eigen::AlignedBox2d& box);
 
 /** @brief Returns a box around an element; for an arc, around its circle. */
 Eigen::AlignedBox2d boxAround(const PlanElement& element);
 
 /** @brief Returns the bounding box of a loop; empty without elements. Exact for arcs.
  * O(n). */
-inline Eigen::AlignedBox2d
-boundsOf(const PlanLoop& loop)
-{
-  Eigen::AlignedBox2d box;
-  for (const PlanElement& e : loop.elements) {
-    box.extend(e.start);
-    // The extremes of an arc are quarters of its circle.
-    for (const Eigen::Vector2d& way :
-         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
-          Eigen::Vector2d(0, -1)}) {
-      const Eigen::Vector2d quarter = e.centre + e.radius * way;
-      if (e.isArc() && e.distance(quarter) < 1e-9 * (1 + e.radius))
-        box.extend(quarter);
-    }
-  }
-  return box;
-}
+Eigen::AlignedBox2d boundsOf(const PlanLoop& loop);
 
 /** @brief Planes of level ceilings are tilted by 3 degrees, those of roofs by more than
  * this; radians. */
@@ -151,25 +122,6 @@ constexpr double no_opening = 0.05; ///< width and height up to which it is none
 
 /** @brief Returns the element of a room's boundary that is nearest to an opening,
  * within 30 degrees and half a metre of its faces; nothing if there is none. */
-inline std::optional<std::size_t>
-wallBeside(const PlanRoom& room, const PlanOpening& opening)
-{
-  constexpr double reach = 0.5;    // metres
-  constexpr double parallel = 0.5; // sine of 30 degrees
-  const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
-  const Eigen::Vector2d way = (opening.end - opening.start).normalized();
-  double nearest = opening.depth / 2 + reach;
-  std::optional<std::size_t> wall;
-  for (std::size_t e = 0; e < room.boundary.elements.size(); ++e) {
-    const PlanElement& element = room.boundary.elements[e];
-    const double distance = element.distance(middle);
-    if (distance < nearest &&
-        std::abs(element.normalAt(element.project(middle)).dot(way)) < parallel) {
-      nearest = distance;
-      wall = e;
-    }
-  }
-  return wall;
-}
+std::optional<std::size_t> wallBeside(const PlanRoom& room, const PlanOpening& opening);
 
 } // namespace pcl::sedr

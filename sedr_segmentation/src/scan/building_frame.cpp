@@ -40,6 +40,34 @@ struct FramePoints {
   std::vector<Eigen::Vector2d> upright; ///< some of them, in plan
 };
 
+/** @brief Removes points that are a hundred times as far from the middle of all as most
+ * are: a few strays would make the counts along an axis kilometres long. */
+void
+dropFarOnes(const PointView& points, std::vector<int>& indices)
+{
+  const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
+  const auto dropIf = [&](const auto& condition) {
+    indices.erase(std::remove_if(indices.begin(), indices.end(), condition),
+                  indices.end());
+  };
+  dropIf([&](int i) { return !points.isFinite(static_cast<std::size_t>(i)); });
+  if (indices.empty())
+    return;
+  const auto valueOf = [&](double share, const auto& value) {
+    std::vector<float> values(indices.size());
+    std::transform(indices.begin(), indices.end(), values.begin(), value);
+    const auto k = static_cast<std::ptrdiff_t>(share * (values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + k, values.end());
+    return values[static_cast<std::size_t>(k)];
+  };
+  Eigen::Vector3f middle;
+  for (int axis = 0; axis < 3; ++axis)
+    middle[axis] = valueOf(0.5, [&](int i) { return at(i)[axis]; });
+  const auto distance = [&](int i) { return (at(i) - middle).norm(); };
+  const float farthest = 100 * valueOf(0.9, distance);
+  dropIf([&](int i) { return distance(i) > farthest; });
+}
+
 FramePoints
 framePoints(const PointView& points,
             const std::vector<int>& indices,
@@ -58,8 +86,6 @@ framePoints(const PointView& points,
     normals[keyOf(patch.middle)] = patch.normal;
   FramePoints found;
   for (const int i : indices) {
-    if (!points.isFinite(static_cast<std::size_t>(i)))
-      continue;
     const Eigen::Vector3d p =
         level * points[static_cast<std::size_t>(i)].cast<double>();
     const auto patch = normals.find(keyOf(p));
@@ -254,6 +280,7 @@ findBuildingFrame(const PointView& points,
     indices.resize(points.size());
     std::iota(indices.begin(), indices.end(), 0);
   }
+  dropFarOnes(points, indices);
   FramePoints found = framePoints(points, indices, level, threads);
   BuildingFrame frame;
   frame.rotation = level;

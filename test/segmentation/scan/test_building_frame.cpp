@@ -73,6 +73,17 @@ TEST(BuildingFrame, StartsAtTheLargestWallNotAtThatWithMostPoints)
   EXPECT_LT((findBuildingFrame(uneven.view()).origin - origin).norm(), 0.004);
 }
 
+TEST(BuildingFrame, OfPointsKilometresAwayIsThatWithoutThem)
+{
+  RoomPoints room = turned(cornerRoom(), Eigen::Matrix3d::Identity(), 0);
+  const BuildingFrame frame = findBuildingFrame(room.view());
+  for (const double away : {2000, 3000})
+    room.point(away, -away, away / 10);
+  const BuildingFrame with_strays = findBuildingFrame(room.view());
+  EXPECT_EQ(with_strays.rotation, frame.rotation);
+  EXPECT_EQ(with_strays.origin, frame.origin);
+}
+
 TEST(BuildingFrame, IsUndoneExactly)
 {
   const BuildingFrame frame = frameOf(17, 0.005);

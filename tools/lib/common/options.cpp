@@ -43,9 +43,10 @@ Range::text(const std::string& unit) const
 Options::Options(std::string tool, std::string purpose)
     : tool_(std::move(tool))
     , purpose_(std::move(purpose))
-    , options_("Options", 90) // letters a line
+    , options_(
+          std::make_shared<po::options_description>("Options", 90)) // letters a line
 {
-  options_.add_options()("help,h", "prints this")("version", "prints the version");
+  options_->add_options()("help,h", "prints this")("version", "prints the version");
 }
 
 std::string
@@ -65,8 +66,8 @@ Options::add(const std::string& name,
 {
   const std::string text = help + " (" + allowed + (allowed.empty() ? "" : "; ") +
                            "default " + default_text + ")";
-  options_.add_options()(name.c_str(), po::value<std::string>()->notifier(read),
-                         text.c_str());
+  options_->add_options()(name.c_str(), po::value<std::string>()->notifier(read),
+                          text.c_str());
 }
 
 void
@@ -139,15 +140,15 @@ Options::date(const std::string& name, std::string& value, const std::string& he
 void
 Options::flag(const std::string& name, bool& value, const std::string& help)
 {
-  options_.add_options()(name.c_str(), po::bool_switch(&value), help.c_str());
+  options_->add_options()(name.c_str(), po::bool_switch(&value), help.c_str());
 }
 
 bool
 Options::parse(int argc, const char* const* argv)
 {
   po::options_description description;
-  description.add(options_).add_options()("file",
-                                          po::value<std::vector<std::string>>());
+  description.add(*options_).add_options()("file",
+                                           po::value<std::vector<std::string>>());
   po::positional_options_description positions;
   positions.add("file", -1);
   po::variables_map given;
@@ -219,7 +220,7 @@ Options::help() const
   for (const auto& file : files_)
     help << "  " << file.name << ": " << file.help << "\n";
   help << "\n"
-       << options_
+       << *options_
        << "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but nothing "
           "found.\n";
   return help.str();

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <boost/program_options/options_description.hpp>
-
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+namespace boost::program_options {
+class options_description;
+}
 
 namespace pcl::sedr::tools {
 
@@ -208,7 +211,7 @@ private:
   std::string tool_;
   std::string purpose_;
   std::vector<File> files_;
-  boost::program_options::options_description options_;
+  std::shared_ptr<boost::program_options::options_description> options_;
   bool wants_version_ = false;
 };
 

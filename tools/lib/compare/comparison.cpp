@@ -204,15 +204,19 @@ comparePlans(const Floorplan& before,
   constexpr double rounding = 1e-6; // metres: what is off by the tolerance is within it
   CompareSettings settings = given;
   settings.tolerance += rounding;
-  const std::vector<Change> rooms = roomChanges(before, after);
-  std::vector<Change> changes = rooms;
+  std::vector<Change> changes;
+  const std::vector<Change> slabs = slabChanges(before, after, settings, changes);
   const auto add = [&](const std::vector<Change>& more) {
     changes.insert(changes.end(), more.begin(), more.end());
   };
-  add(wallChanges(before, after, settings, rooms));
-  add(columnChanges(before, after, settings));
-  add(slabChanges(before, after, settings));
-  add(openingChanges(before, after, settings));
+  add(wallChanges(before, after, settings, changes));
+  // Whatever its size, a column or opening at the place of another one is the same.
+  add(thingChanges(columnsOf(before), columnsOf(after), before, after, columnsApart,
+                   hasRoomOf, settings.farthest, settings.tolerance));
+  add(slabs);
+  if (!before.openings.empty() && !after.openings.empty()) // else nobody looked for any
+    add(thingChanges(openingsOf(before), openingsOf(after), before, after,
+                     openingsApart, hasWallOf, settings.farthest, never));
   return changes;
 }
 
@@ -260,28 +264,6 @@ changesToJson(const std::vector<Change>& changes, const CompareSettings& setting
                   {"farthest", settings.farthest},
                   {"changes", list}};
   return json.dump(1) + "\n";
-}
-
-// Columns and openings are compared by their places.
-
-std::vector<Change>
-columnChanges(const Floorplan& before,
-              const Floorplan& after,
-              const CompareSettings& settings)
-{
-  return thingChanges(columnsOf(before), columnsOf(after), before, after, columnsApart,
-                      hasRoomOf, settings.farthest, settings.tolerance);
-}
-
-std::vector<Change>
-openingChanges(const Floorplan& before,
-               const Floorplan& after,
-               const CompareSettings& settings)
-{
-  if (before.openings.empty() || after.openings.empty())
-    return {}; // nobody looked for them in one of the plans
-  return thingChanges(openingsOf(before), openingsOf(after), before, after,
-                      openingsApart, hasWallOf, settings.farthest, never);
 }
 
 } // namespace pcl::sedr::tools

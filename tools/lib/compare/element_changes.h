@@ -31,10 +31,6 @@ Change changeOf(const Element& element, ChangeKind kind);
 /** @brief Returns the move of an element, by that of its middle. */
 Change moveOf(const Element& before, const Element& after);
 
-/** @brief Finds rooms that appeared or vanished: less than half of their floor is floor
- * in the other plan. */
-std::vector<Change> roomChanges(const Floorplan& before, const Floorplan& after);
-
 /** @brief Finds walls that moved, appeared or vanished, by the positions of their faces
  * only. A wall that became longer or belongs to another room is not reported. Equal
  * changes of both faces of a partition are merged, as are neighbours in a room's
@@ -45,25 +41,15 @@ std::vector<Change> wallChanges(const Floorplan& before,
                                 const CompareSettings& settings,
                                 const std::vector<Change>& rooms);
 
-/** @brief Finds columns that moved, appeared or vanished. A column that only changed
- * its size, or became part of the walls, is not reported. */
-std::vector<Change> columnChanges(const Floorplan& before,
-                                  const Floorplan& after,
-                                  const CompareSettings& settings);
-
 /** @brief Finds ceilings and floors at another height, and soffits, recesses, steps and
  * platforms that moved, appeared or vanished. A detail is unchanged if the other plan
- * has the same height over more than half of it, whatever its kind. */
+ * has the same height over more than half of it, whatever its kind.
+ * @param rooms that appeared or vanished are added: less than half of their floor is
+ * floor in the other plan */
 std::vector<Change> slabChanges(const Floorplan& before,
                                 const Floorplan& after,
-                                const CompareSettings& settings);
-
-/** @brief Finds doors, windows and passages that appeared or vanished in walls that
- * both plans have. What shares a part of a wall with another one is unchanged. Nothing
- * if one of the plans has no openings at all: nobody looked for them. */
-std::vector<Change> openingChanges(const Floorplan& before,
-                                   const Floorplan& after,
-                                   const CompareSettings& settings);
+                                const CompareSettings& settings,
+                                std::vector<Change>& rooms);
 
 /** @brief Pairs the elements of two lists, the nearest ones first, and removes them
  * from their lists.

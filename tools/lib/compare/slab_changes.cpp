@@ -200,11 +200,10 @@ addSlabChanges(const Slabs& before,
  * other. */
 void
 addLostRooms(const Floorplan& plan,
-             const Floorplan& other,
+             const Slabs& floors,
              ChangeKind kind,
              std::vector<Change>& changes)
 {
-  const Slabs floors = slabsOf(plan, other, true, 0);
   for (const auto& room : plan.rooms) {
     std::size_t cells = 0;
     std::size_t known = 0;
@@ -223,24 +222,21 @@ addLostRooms(const Floorplan& plan,
 } // namespace
 
 std::vector<Change>
-roomChanges(const Floorplan& before, const Floorplan& after)
-{
-  std::vector<Change> changes;
-  addLostRooms(before, after, ChangeKind::Vanished, changes);
-  addLostRooms(after, before, ChangeKind::Appeared, changes);
-  return changes;
-}
-
-std::vector<Change>
 slabChanges(const Floorplan& before,
             const Floorplan& after,
-            const CompareSettings& settings)
+            const CompareSettings& settings,
+            std::vector<Change>& rooms)
 {
   std::vector<Change> changes;
-  for (const bool is_floor : {false, true})
-    addSlabChanges(slabsOf(before, after, is_floor, settings.tolerance),
-                   slabsOf(after, before, is_floor, settings.tolerance), settings,
-                   changes);
+  for (const bool is_floor : {false, true}) {
+    const Slabs gone = slabsOf(before, after, is_floor, settings.tolerance);
+    const Slabs come = slabsOf(after, before, is_floor, settings.tolerance);
+    addSlabChanges(gone, come, settings, changes);
+    if (is_floor) {
+      addLostRooms(before, gone, ChangeKind::Vanished, rooms);
+      addLostRooms(after, come, ChangeKind::Appeared, rooms);
+    }
+  }
   return changes;
 }
 

@@ -304,10 +304,7 @@ struct PlanFlight {
   double top() const { return bottom + rise * static_cast<double>(steps()); }
 
   /** @brief The middle of a riser: the line on which one walks. */
-  Eigen::Vector2d middle(std::size_t riser) const
-  {
-    return (risers[riser][0] + risers[riser][1]) / 2;
-  }
+  Eigen::Vector2d middle(std::size_t riser) const;
 
   /** @brief Returns the mean depth of its treads on that line, metres. */
   double going() const;
@@ -372,7 +369,7 @@ struct PlanOpening {
                             ///< that show them lie; 0: none does
   std::uint32_t number = 0; ///< in its kind, see numberOpenings(); 0: not numbered yet
 
-  double width() const { return (end - start).norm(); }
+  double width() const;
   double height() const { return top - bottom; }
   bool leadsOutside() const { return rooms[0] == 0 || rooms[1] == 0; }
   bool hasSeenReveals() const { return depth != unseen_reveal; }

@@ -23,13 +23,13 @@ struct Origin {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 
   /** @brief Checks whether coordinates are those of the scan as given. */
-  bool isZero() const { return place.isZero(0); }
+  bool isZero() const;
 
   /** @brief Converts a place of the given frame to local coordinates. */
-  Eigen::Vector3d toLocal(const Eigen::Vector3d& p) const { return p - place; }
+  Eigen::Vector3d toLocal(const Eigen::Vector3d& p) const;
 
   /** @brief Converts a place in local coordinates to the given frame. */
-  Eigen::Vector3d toGiven(const Eigen::Vector3d& p) const { return p + place; }
+  Eigen::Vector3d toGiven(const Eigen::Vector3d& p) const;
 
   /** @brief Returns text such as "691600 5335900 0", to the micrometre. */
   std::string text(const std::string& separator = " ") const;
@@ -47,11 +47,7 @@ struct Origin {
   static bool fromComment(const std::string& line, Origin& origin);
 };
 
-inline bool
-operator==(const Origin& a, const Origin& b)
-{
-  return a.place == b.place;
-}
+bool operator==(const Origin& a, const Origin& b);
 
 inline bool
 operator!=(const Origin& a, const Origin& b)
@@ -66,22 +62,12 @@ struct BuildingFrame {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< the place that becomes 0
 
-  Eigen::Vector3d toBuilding(const Eigen::Vector3d& p) const
-  {
-    return rotation * (p - origin);
-  }
-
-  Eigen::Vector3d toScan(const Eigen::Vector3d& p) const
-  {
-    return rotation.transpose() * p + origin;
-  }
+  Eigen::Vector3d toBuilding(const Eigen::Vector3d& p) const;
+  Eigen::Vector3d toScan(const Eigen::Vector3d& p) const;
 
   /** @brief Returns the transformation from this frame to another one of the same scan.
    */
-  BuildingFrame to(const BuildingFrame& other) const
-  {
-    return {other.rotation * rotation.transpose(), toBuilding(other.origin)};
-  }
+  BuildingFrame to(const BuildingFrame& other) const;
 
   /** @brief Returns the angle about z by which a level frame turns plans, radians. */
   double yaw() const { return std::atan2(rotation(1, 0), rotation(0, 0)); }
@@ -97,16 +83,10 @@ struct Levelling {
   static Levelling of(const Eigen::Vector3d& up, const Eigen::Vector3d& about);
 
   /** @brief Maps a place of the scan into the levelled frame. */
-  Eigen::Vector3d level(const Eigen::Vector3d& p) const
-  {
-    return rotation * (p - about) + about;
-  }
+  Eigen::Vector3d level(const Eigen::Vector3d& p) const;
 
   /** @brief Maps a place of the levelled frame back into the scan. */
-  Eigen::Vector3d back(const Eigen::Vector3d& p) const
-  {
-    return rotation.transpose() * (p - about) + about;
-  }
+  Eigen::Vector3d back(const Eigen::Vector3d& p) const;
 
   /** @brief Returns the same as a rigid transformation. */
   BuildingFrame frame() const { return {rotation, back(Eigen::Vector3d::Zero())}; }
@@ -125,7 +105,7 @@ struct ScanPosition {
   /// Metres, in the frame of the points; NaN if the position is unknown.
   Eigen::Vector3f place = Eigen::Vector3f::Zero();
 
-  bool isKnown() const { return place.allFinite(); }
+  bool isKnown() const;
 };
 
 /** @brief The scanner positions of all points of a scan, by increasing `first_row`;
