@@ -272,6 +272,7 @@ class InClosedForm(FilesAgree, unittest.TestCase):
         self.assertAlmostEqual(float(window["net_area_m2"]), 6 * 3 - 1.2, 3)
         self.assertAlmostEqual(float(inner["gross_area_m2"]) - float(inner["net_area_m2"]), 0.9 * 2.05, 3)
         self.assertEqual((inner["thickness_m"], inner["thickness_known_by"], inner["other_face"]), ("0.100", "faces", "2.1"))
+        self.assertEqual((inner["thickness_is"], window["thickness_is"], window["thickness_known_by"]), ("measured", "at least", "reveals"))
         self.assertAlmostEqual(float(rows["5.1"]["length_m"]), 6 * math.pi, 3)
 
 
