@@ -4,6 +4,7 @@
 #include "sedr_filters/src/base/quantiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -17,6 +18,8 @@ struct EdgeFrame {
   double position; ///< expected, of the outward coordinate
   double low;      ///< extent of the edge, of the other coordinate
   double high;
+  double shallow;  ///< depth behind which its reveal shows: of the face or of a back
+                   ///< beyond it
   double farthest; ///< it may be, where the face goes on, of the outward coordinate
 
   double outward(const SidePoint& p) const
@@ -52,27 +55,33 @@ edgeAt(double position,
 }
 
 /** @brief Returns which depths behind the face, in steps of edge_bin, what is seen
- * beside an edge closes: a leaf, a pane or what is far behind. */
+ * beside an edge closes: a leaf, a pane or what is far behind. It is seen near to the
+ * edge and farther from it, as no reveal is. */
 std::vector<bool>
 closedDepths(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
 {
   const double step = opening_numbers.edge_bin;
   const double stretch = 2 * map.cell();
+  const double half = sizes.edge_reach / 2;
   const auto parts = static_cast<std::size_t>((edge.high - edge.low) / stretch) + 1;
   const auto depths = static_cast<std::size_t>(sizes.max_depth / step) + 1;
-  std::vector<std::vector<bool>> shown(depths, std::vector<bool>(parts));
+  std::vector<std::array<double, 2>> shown(depths * parts);
   for (const SidePoint& p : map.points()) {
-    const double in = edge.position - sizes.edge_reach / 2 - edge.outward(p);
+    const double in = edge.position - half - edge.outward(p);
     const double along = edge.across(p) - edge.low;
-    if (in > 0 && in < sizes.edge_reach && along >= 0 && edge.across(p) < edge.high &&
+    if (in > 0 && in < 2 * half && along >= 0 && edge.across(p) < edge.high &&
         p.offset <= 0 && -p.offset < sizes.max_depth)
-      shown[static_cast<std::size_t>(-p.offset / step)]
-           [static_cast<std::size_t>(along / stretch)] = true;
+      ++shown[static_cast<std::size_t>(-p.offset / step) * parts +
+              static_cast<std::size_t>(along / stretch)][in < half ? 0 : 1];
   }
   std::vector<bool> is_closed;
-  for (const std::vector<bool>& at : shown)
-    is_closed.push_back(static_cast<double>(std::count(at.begin(), at.end(), true)) >=
-                        opening_numbers.min_reveal * static_cast<double>(parts));
+  for (auto at = shown.begin(); at != shown.end();
+       at += static_cast<std::ptrdiff_t>(parts))
+    is_closed.push_back(
+        static_cast<double>(std::count_if(
+            at, at + static_cast<std::ptrdiff_t>(parts), [](const auto& halves) {
+              return std::min(halves[0], halves[1]) >= opening_numbers.cell_points;
+            })) >= opening_numbers.min_reveal * static_cast<double>(parts));
   return is_closed;
 }
 
@@ -97,14 +106,15 @@ revealOf(const WallMap& map,
     return edge.outward(p) - (edge.position - sizes.edge_reach);
   };
   // Its points lie up to some way behind the last thing that closes the opening.
-  double deepest = map.tolerance() + opening_numbers.reveal_strip;
+  double deepest = edge.shallow + opening_numbers.reveal_strip;
   std::vector<bool> is_other(closed.size());
   const auto band =
       static_cast<std::size_t>(std::round(map.tolerance() / opening_numbers.edge_bin));
   for (std::size_t k = 0; k < closed.size(); ++k)
     if (closed[k]) {
-      deepest = map.tolerance() + opening_numbers.reveal_strip +
-                opening_numbers.edge_bin * static_cast<double>(k + 1);
+      deepest =
+          std::max(deepest, map.tolerance() + opening_numbers.reveal_strip +
+                                opening_numbers.edge_bin * static_cast<double>(k + 1));
       std::fill(is_other.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, band)),
                 is_other.begin() + static_cast<std::ptrdiff_t>(
                                        std::min(k + band + 1, is_other.size())),
@@ -112,7 +122,7 @@ revealOf(const WallMap& map,
     }
   const auto isReveal = [&](const SidePoint& p) {
     const double at = offsetOf(p);
-    return p.offset < -map.tolerance() && p.offset > -deepest &&
+    return p.offset < -edge.shallow && p.offset > -deepest &&
            p.offset > -map.depthAt(p.along, p.height) + map.tolerance() && at >= 0 &&
            !is_other[static_cast<std::size_t>(-p.offset / opening_numbers.edge_bin)] &&
            edge.outward(p) < edge.farthest && edge.across(p) >= low &&
@@ -156,7 +166,10 @@ revealOf(const WallMap& map,
         return std::nullopt;
       middle = middleValue(at);
     }
-    return edgeAt(middle, at, middle, 0.001);
+    EdgeFit fit = edgeAt(middle, at, middle, 0.001);
+    if (shareAround(b) < opening_numbers.sure_reveal)
+      fit.residual = std::hypot(fit.residual, opening_numbers.end_error);
+    return fit;
   }
   return std::nullopt;
 }
@@ -199,6 +212,8 @@ endOf(const WallMap& map,
     return std::nullopt;
   spacing /= static_cast<double>(ends.size()); // along the line of a stretch
   const double middle = middleValue(ends);
+  if (middle < opening_numbers.edge_bin - sizes.edge_reach)
+    return std::nullopt; // it goes on
   return edgeAt(edge.position + way * (middle - std::min(spacing, 0.02)), ends, middle,
                 0.002);
 }
@@ -249,8 +264,13 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
   WallRectangle fit = cells;
   const auto move = [&](std::size_t k, double& value, double sign, bool is_upright,
                         double low, double high) {
-    EdgeFrame edge{sign, is_upright, sign * value,
-                   low,  high,       sign * value + sizes.edge_reach};
+    EdgeFrame edge{sign,
+                   is_upright,
+                   sign * value,
+                   low,
+                   high,
+                   map.tolerance(),
+                   sign * value + sizes.edge_reach};
     // Behind the wall beside it, a bar or a pier, lies the reveal of another one.
     for (double out = 0; out < sizes.edge_reach; out += map.cell()) {
       const auto [from, to] =
@@ -262,6 +282,12 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
         break;
       }
     }
+    const auto [in, out] = std::minmax({value, value + 2 * sign * sizes.edge_reach});
+    if (const OpeningBack back =
+            backOf(map, is_upright ? WallRectangle{in, out, low, high}
+                                   : WallRectangle{low, high, in, out});
+        back.closed >= opening_numbers.min_reveal)
+      edge.shallow = back.depth + map.tolerance();
     fitEdge(map, edge, sizes, value, fit.edges[k], fit.deviation);
   };
   const double head = cells.top - cells.rise;

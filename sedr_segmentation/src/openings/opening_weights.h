@@ -59,9 +59,10 @@ struct OpeningNumbers {
   double max_columns = 2000;   ///< of a map
   double edge_bin = 0.01;      ///< of positions of an edge, metres
   double reveal_strip = 0.15;  ///< of a reveal behind the face, before frames, metres
-  double min_reveal = 0.5;     ///< share of the length of an edge that shows its reveal
-  double end_error = 0.015;    ///< of edges that no reveal shows, metres: of 383 such
-                               ///< ones of simulated scans 94 % were within twice that
+  double min_reveal = 0.35;    ///< share of the length of an edge that shows its reveal
+  double sure_reveal = 0.5;    ///< likewise, of one that is no frame
+  double end_error = 0.015;    ///< of edges that no such reveal shows, metres: of 383
+                               ///< of simulated scans 94 % were within twice that
   double unseen_error = 0.07;  ///< of edges that nothing shows; likewise 90 % of 111
   double bay_share = 0.08;     ///< of what is seen of a bay, on the wall before it
   double beyond = -1e6;        ///< nats a square metre where no wall is
