@@ -18,8 +18,6 @@ struct EdgeFrame {
   double position; ///< expected, of the outward coordinate
   double low;      ///< extent of the edge, of the other coordinate
   double high;
-  double shallow;  ///< depth behind which its reveal shows: of the face or of a back
-                   ///< beyond it
   double farthest; ///< it may be, where the face goes on, of the outward coordinate
 
   double outward(const SidePoint& p) const
@@ -54,9 +52,9 @@ edgeAt(double position,
           deviation};
 }
 
-/** @brief Returns which depths behind the face, in steps of edge_bin, what is seen
- * beside an edge closes: a leaf, a pane or what is far behind. It is seen near to the
- * edge and farther from it, as no reveal is. */
+/** @brief Returns which depths behind the face, in steps of edge_bin, something closes
+ * beside an edge, within the opening or beyond it: a leaf, a pane, or a back. It is
+ * seen near to the edge and farther from it, as no reveal is. */
 std::vector<bool>
 closedDepths(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
 {
@@ -65,33 +63,43 @@ closedDepths(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& size
   const double half = sizes.edge_reach / 2;
   const auto parts = static_cast<std::size_t>((edge.high - edge.low) / stretch) + 1;
   const auto depths = static_cast<std::size_t>(sizes.max_depth / step) + 1;
-  std::vector<std::array<double, 2>> shown(depths * parts);
+  // Points near to the edge and farther from it, within the opening, then beyond it.
+  std::vector<std::array<double, 4>> shown(depths * parts);
   for (const SidePoint& p : map.points()) {
-    const double in = edge.position - half - edge.outward(p);
+    const double out = edge.outward(p) - edge.position;
+    const double away = std::abs(out) - half;
     const double along = edge.across(p) - edge.low;
-    if (in > 0 && in < 2 * half && along >= 0 && edge.across(p) < edge.high &&
+    if (away > 0 && away < 2 * half && along >= 0 && edge.across(p) < edge.high &&
         p.offset <= 0 && -p.offset < sizes.max_depth)
       ++shown[static_cast<std::size_t>(-p.offset / step) * parts +
-              static_cast<std::size_t>(along / stretch)][in < half ? 0 : 1];
+              static_cast<std::size_t>(along / stretch)]
+             [(out < 0 ? 0U : 2U) + (away < half ? 0U : 1U)];
   }
   std::vector<bool> is_closed;
   for (auto at = shown.begin(); at != shown.end();
-       at += static_cast<std::ptrdiff_t>(parts))
-    is_closed.push_back(
-        static_cast<double>(std::count_if(
-            at, at + static_cast<std::ptrdiff_t>(parts), [](const auto& halves) {
-              return std::min(halves[0], halves[1]) >= opening_numbers.cell_points;
-            })) >= opening_numbers.min_reveal * static_cast<double>(parts));
+       at += static_cast<std::ptrdiff_t>(parts)) {
+    const auto partsFull = [&](std::size_t k) {
+      return std::count_if(at, at + static_cast<std::ptrdiff_t>(parts),
+                           [k](const auto& n) {
+                             return std::min(n[k], n[k + 1]) > 0 &&
+                                    n[k] + n[k + 1] >= opening_numbers.cell_points;
+                           });
+    };
+    is_closed.push_back(static_cast<double>(std::max(partsFull(0), partsFull(2))) >=
+                        opening_numbers.sure_reveal * static_cast<double>(parts));
+  }
   return is_closed;
 }
 
 /** @brief Fits the plane of a reveal: the outermost peak of the points that lie just
  * behind the face, spread over the length of the edge.
- * @param closed depths at which something else is seen beside the edge */
+ * @param closed depths at which something else is seen beside the edge
+ * @param deepest of its points behind the face, metres */
 std::optional<EdgeFit>
 revealOf(const WallMap& map,
          const EdgeFrame& edge,
          const std::vector<bool>& closed,
+         double deepest,
          const OpeningSizes& sizes)
 {
   const double inset = std::min(0.05, (edge.high - edge.low) / 4);
@@ -105,24 +113,18 @@ revealOf(const WallMap& map,
   const auto offsetOf = [&](const SidePoint& p) {
     return edge.outward(p) - (edge.position - sizes.edge_reach);
   };
-  // Its points lie up to some way behind the last thing that closes the opening.
-  double deepest = edge.shallow + opening_numbers.reveal_strip;
   std::vector<bool> is_other(closed.size());
   const auto band =
       static_cast<std::size_t>(std::round(map.tolerance() / opening_numbers.edge_bin));
   for (std::size_t k = 0; k < closed.size(); ++k)
-    if (closed[k]) {
-      deepest =
-          std::max(deepest, map.tolerance() + opening_numbers.reveal_strip +
-                                opening_numbers.edge_bin * static_cast<double>(k + 1));
+    if (closed[k])
       std::fill(is_other.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, band)),
                 is_other.begin() + static_cast<std::ptrdiff_t>(
                                        std::min(k + band + 1, is_other.size())),
                 true);
-    }
   const auto isReveal = [&](const SidePoint& p) {
     const double at = offsetOf(p);
-    return p.offset < -edge.shallow && p.offset > -deepest &&
+    return p.offset < -map.tolerance() && p.offset > -deepest &&
            p.offset > -map.depthAt(p.along, p.height) + map.tolerance() && at >= 0 &&
            !is_other[static_cast<std::size_t>(-p.offset / opening_numbers.edge_bin)] &&
            edge.outward(p) < edge.farthest && edge.across(p) >= low &&
@@ -229,7 +231,14 @@ fitEdge(const WallMap& map,
         double& deviation)
 {
   const std::vector<bool> closed = closedDepths(map, edge, sizes);
-  std::optional<EdgeFit> found = revealOf(map, edge, closed, sizes);
+  const double strip = map.tolerance() + opening_numbers.reveal_strip;
+  const auto last = std::find(closed.rbegin(), closed.rend(), true);
+  std::optional<EdgeFit> found = revealOf(map, edge, closed, strip, sizes);
+  if (!found) // it may lie behind what closes the opening
+    found = revealOf(map, edge, closed,
+                     strip + opening_numbers.edge_bin *
+                                 static_cast<double>(closed.rend() - last),
+                     sizes);
   seen = {found ? EdgeSeen::Reveal : EdgeSeen::Nothing, opening_numbers.unseen_error};
   if (!found) {
     // The half of the noise that reveals do not reach.
@@ -264,13 +273,8 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
   WallRectangle fit = cells;
   const auto move = [&](std::size_t k, double& value, double sign, bool is_upright,
                         double low, double high) {
-    EdgeFrame edge{sign,
-                   is_upright,
-                   sign * value,
-                   low,
-                   high,
-                   map.tolerance(),
-                   sign * value + sizes.edge_reach};
+    EdgeFrame edge{sign, is_upright, sign * value,
+                   low,  high,       sign * value + sizes.edge_reach};
     // Behind the wall beside it, a bar or a pier, lies the reveal of another one.
     for (double out = 0; out < sizes.edge_reach; out += map.cell()) {
       const auto [from, to] =
@@ -282,12 +286,6 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
         break;
       }
     }
-    const auto [in, out] = std::minmax({value, value + 2 * sign * sizes.edge_reach});
-    if (const OpeningBack back =
-            backOf(map, is_upright ? WallRectangle{in, out, low, high}
-                                   : WallRectangle{low, high, in, out});
-        back.closed >= opening_numbers.min_reveal)
-      edge.shallow = back.depth + map.tolerance();
     fitEdge(map, edge, sizes, value, fit.edges[k], fit.deviation);
   };
   const double head = cells.top - cells.rise;

@@ -60,7 +60,7 @@ struct OpeningNumbers {
   double edge_bin = 0.01;      ///< of positions of an edge, metres
   double reveal_strip = 0.15;  ///< of a reveal behind the face, before frames, metres
   double min_reveal = 0.35;    ///< share of the length of an edge that shows its reveal
-  double sure_reveal = 0.5;    ///< likewise, of one that is no frame
+  double sure_reveal = 0.5;    ///< likewise, where nothing else may be one
   double end_error = 0.015;    ///< of edges that no such reveal shows, metres: of 383
                                ///< of simulated scans 94 % were within twice that
   double unseen_error = 0.07;  ///< of edges that nothing shows; likewise 90 % of 111
