@@ -56,38 +56,34 @@ edgeAt(double position,
  * beside an edge, within the opening or beyond it: a leaf, a pane, or a back. It is
  * seen near to the edge and farther from it, as no reveal is. */
 std::vector<bool>
-closedDepths(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
+closedDepths(const WallMap& map,
+             const EdgeFrame& edge,
+             bool is_within,
+             const OpeningSizes& sizes)
 {
   const double step = opening_numbers.edge_bin;
   const double stretch = 2 * map.cell();
   const double half = sizes.edge_reach / 2;
   const auto parts = static_cast<std::size_t>((edge.high - edge.low) / stretch) + 1;
   const auto depths = static_cast<std::size_t>(sizes.max_depth / step) + 1;
-  // Points near to the edge and farther from it, within the opening, then beyond it.
-  std::vector<std::array<double, 4>> shown(depths * parts);
+  std::vector<std::array<double, 2>> shown(depths * parts);
   for (const SidePoint& p : map.points()) {
-    const double out = edge.outward(p) - edge.position;
-    const double away = std::abs(out) - half;
+    const double away = (is_within ? -1 : 1) * (edge.outward(p) - edge.position) - half;
     const double along = edge.across(p) - edge.low;
     if (away > 0 && away < 2 * half && along >= 0 && edge.across(p) < edge.high &&
         p.offset <= 0 && -p.offset < sizes.max_depth)
       ++shown[static_cast<std::size_t>(-p.offset / step) * parts +
-              static_cast<std::size_t>(along / stretch)]
-             [(out < 0 ? 0U : 2U) + (away < half ? 0U : 1U)];
+              static_cast<std::size_t>(along / stretch)][away < half ? 0 : 1];
   }
   std::vector<bool> is_closed;
   for (auto at = shown.begin(); at != shown.end();
-       at += static_cast<std::ptrdiff_t>(parts)) {
-    const auto partsFull = [&](std::size_t k) {
-      return std::count_if(at, at + static_cast<std::ptrdiff_t>(parts),
-                           [k](const auto& n) {
-                             return std::min(n[k], n[k + 1]) > 0 &&
-                                    n[k] + n[k + 1] >= opening_numbers.cell_points;
-                           });
-    };
-    is_closed.push_back(static_cast<double>(std::max(partsFull(0), partsFull(2))) >=
-                        opening_numbers.sure_reveal * static_cast<double>(parts));
-  }
+       at += static_cast<std::ptrdiff_t>(parts))
+    is_closed.push_back(
+        static_cast<double>(std::count_if(
+            at, at + static_cast<std::ptrdiff_t>(parts), [](const auto& n) {
+              return std::min(n[0], n[1]) > 0 &&
+                     n[0] + n[1] >= opening_numbers.cell_points;
+            })) >= opening_numbers.sure_reveal * static_cast<double>(parts));
   return is_closed;
 }
 
@@ -230,7 +226,10 @@ fitEdge(const WallMap& map,
         OpeningEdge& seen,
         double& deviation)
 {
-  const std::vector<bool> closed = closedDepths(map, edge, sizes);
+  const std::vector<bool> within = closedDepths(map, edge, true, sizes);
+  std::vector<bool> closed = closedDepths(map, edge, false, sizes);
+  for (std::size_t k = 0; k < closed.size(); ++k)
+    closed[k] = closed[k] || within[k];
   const double strip = map.tolerance() + opening_numbers.reveal_strip;
   const auto last = std::find(closed.rbegin(), closed.rend(), true);
   std::optional<EdgeFit> found = revealOf(map, edge, closed, strip, sizes);
@@ -248,8 +247,8 @@ fitEdge(const WallMap& map,
     seen.seen = found ? EdgeSeen::Rim : EdgeSeen::Nothing;
     const auto leaf = endOf(map, edge, sizes, false, [&](const SidePoint& p) {
       const double k = -p.offset / opening_numbers.edge_bin;
-      return p.offset < -map.tolerance() && k < static_cast<double>(closed.size()) &&
-             closed[static_cast<std::size_t>(k)];
+      return p.offset < -map.tolerance() && k < static_cast<double>(within.size()) &&
+             within[static_cast<std::size_t>(k)];
     });
     if (leaf && (!found || leaf->position > found->position)) {
       found = leaf;
