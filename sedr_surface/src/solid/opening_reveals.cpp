@@ -237,10 +237,11 @@ RevealedPlan::RevealedPlan(const Floorplan& plan)
     for (const RoomBeside& side : beside) {
       const PlanRoom& room = plan.rooms[side.room];
       const OpeningFrame frame(plan, opening, side.is_left);
-      const double far = is_joined ? (side.is_left ? middle : -middle)
-                         : side.nearest < -opening.depth / 2
-                             ? side.nearest - pane_depth
+      double far = is_joined ? (side.is_left ? middle : -middle)
                              : outerEnd(plan, room, frame, opening.depth);
+      if (!is_joined && side.nearest - far < min_depth &&
+          side.nearest + most_beside > -opening.depth / 2 + step)
+        far = side.nearest - pane_depth;
       // The plan may have a niche as deep as the wall, or a room that goes on through
       // the opening.
       const bool is_through = side.nearest - far < min_depth;
