@@ -185,8 +185,8 @@ PlanEditor::setOpening(const std::string& number, const OpeningChange& to)
 bool
 PlanEditor::confirm(const std::string& number)
 {
-  sentence_ = number + " is confirmed";
   return apply([&](Floorplan& plan) -> std::string {
+    sentence_ = number + " is confirmed";
     for (PlanRoom& room : plan.rooms)
       for (std::size_t w = 0; w < room.boundary.elements.size(); ++w)
         if (number == std::to_string(room.id) + "." + std::to_string(w + 1)) {

@@ -220,8 +220,12 @@ TEST_F(EditedModel, AConfirmedWallIsDoubtedNoMore)
   ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--confirm", "1.3"}).exit_code, 0);
   const auto now = doubts();
   EXPECT_EQ(now.size(), before.size()) << "one less, and that the plan was edited";
-  EXPECT_EQ(std::count(now.begin(), now.end(), "off"),
-            std::count(before.begin(), before.end(), "off") - 1);
+  const auto areOff = [](const std::vector<std::string>& texts) {
+    return std::count_if(texts.begin(), texts.end(), [](const std::string& text) {
+      return text.find("off") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(areOff(now), areOff(before) - 1);
   ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "2=3"}).exit_code, 0);
   EXPECT_NE(bytesOf(in("model/floorplan.json")).find("\"confirmed\""),
             std::string::npos);
