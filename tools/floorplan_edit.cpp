@@ -230,6 +230,11 @@ kindsOfEdits()
        "NUMBER and some of width=, height=, sill=, kind=, hinge=, swing=, such as "
        "D3,width=0.9",
        setOpening},
+      {"confirm",
+       "NUMBER: somebody looked at this wall or opening and it is right: it counts as "
+       "sure",
+       "the number of a wall or opening, such as 3.12 or D3",
+       by(&PlanEditor::confirm, "")},
       {"name", "ROOM=TEXT: name a room", "ROOM=TEXT, such as 3=Kitchen",
        by(&PlanEditor::name, "=")}};
   return kinds;

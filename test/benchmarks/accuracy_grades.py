@@ -3,8 +3,8 @@
 """Checks the standard errors that pcl_sedr states against the truth of random buildings: accuracy_grades.py FIRST LAST [options]
 
 Buildings are made, scanned and modelled as by random_buildings.py. The error of a wall, floor or ceiling is its
-distance from the true surface that faces the same way, the median of places all over it; those of the edges of an opening are
-along and up its wall. What is more than 5 cm off is another surface: a gross error, counted apart. Prints a line a kind: how many were
+distance from the true surface that faces the same way, the median of places all over it; what is more than 5 cm off is another
+surface: a gross error, counted apart. Those of the edges of an opening are along and up its wall, by what was seen of them. Prints a line a kind: how many were
 measured, their errors and standard errors (medians, mm), shares of errors within 1, 2 and 3 standard errors.
 """
 import json
@@ -118,10 +118,13 @@ def errors_of(folder, plan):
     for o in openings:
         o["a"], o["b"], o["bottom"], o["top"] = o["a"] + origin[:2], o["b"] + origin[:2], o["bottom"] + origin[2], o["top"] + origin[2]
     for i, j in opening_grades.pairs(true, openings):
-        for kind, error in zip(("jambs", "jambs", "sills", "heads"), opening_grades.edges(true[i], openings[j])[0]):
+        stated = openings[j]["edges"]
+        if (true[i]["b"] - true[i]["a"]) @ (openings[j]["b"] - openings[j]["a"]) < 0:
+            stated = [stated[1], stated[0], *stated[2:]]
+        for kind, error, edge in zip(("jambs", "jambs", "sills", "heads"), opening_grades.edges(true[i], openings[j])[0], stated):
             if kind == "sills" and true[i]["kind"] != "window":
                 continue
-            rows.append([kind, error if abs(error) < FAR else np.nan, openings[j]["residual"], np.nan, np.zeros(3), np.zeros(3)])
+            rows.append([f"{kind}, {edge['seen']}", error, edge["error"], np.nan, np.zeros(3), np.zeros(3)])
     return rows
 
 

@@ -83,7 +83,7 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
   opening.rise = std::min(opening.rise, height);
   opening.confidence = 1;
   if (to.width || to.height || to.sill)
-    opening.residual = opening.deviation_95 = 0;
+    opening.forgetAccuracy();
   if (kind != OpeningKind::Door) {
     opening.hinge = OpeningHinge::Unknown;
     opening.swing = 0;
@@ -179,6 +179,26 @@ PlanEditor::setOpening(const std::string& number, const OpeningChange& to)
       return problem.empty() && fits ? misfitOf(plan, opening) : problem;
     }
     return lacksOpening(plan, number);
+  });
+}
+
+bool
+PlanEditor::confirm(const std::string& number)
+{
+  return apply([&](Floorplan& plan) -> std::string {
+    sentence_ = number + " is confirmed";
+    for (PlanRoom& room : plan.rooms)
+      for (std::size_t w = 0; w < room.boundary.elements.size(); ++w)
+        if (number == std::to_string(room.id) + "." + std::to_string(w + 1)) {
+          room.boundary.elements[w].is_confirmed = true;
+          return {};
+        }
+    for (PlanOpening& opening : plan.openings)
+      if (markOf(opening) == number) {
+        opening.is_confirmed = true;
+        return {};
+      }
+    return "there is no wall or opening " + number;
   });
 }
 

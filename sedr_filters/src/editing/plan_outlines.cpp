@@ -158,6 +158,7 @@ setByHand(const Floorplan& plan, PlanElement& wall)
   wall.residual = 0;
   wall.accuracy = {};
   wall.evidence = {0, is_measured ? 1.0 : 0.0, 0};
+  wall.is_confirmed = false;
 }
 
 void

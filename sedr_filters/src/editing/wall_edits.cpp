@@ -290,7 +290,7 @@ PlanEditor::setFloor(std::uint32_t room, double z)
       if (std::count(opening.rooms.begin(), opening.rooms.end(), room) > 0 &&
           std::abs(opening.bottom - heights.low) < on_floor) {
         opening.bottom = z;
-        opening.residual = opening.deviation_95 = 0;
+        opening.forgetAccuracy();
       }
     const auto isOnIt = [&](std::uint32_t id, double foot) {
       return id == room && std::abs(foot - heights.low) < on_floor;
@@ -346,7 +346,7 @@ PlanEditor::setStorey(std::uint32_t number, double z)
       if (isOf(opening.rooms[opening.rooms[0] == 0 ? 1 : 0])) {
         opening.bottom += by;
         opening.top += by;
-        opening.residual = opening.deviation_95 = 0;
+        opening.forgetAccuracy();
       }
     if (!moveStairs(
             plan, [&](auto room, double) { return isOf(room); }, by))

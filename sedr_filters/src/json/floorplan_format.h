@@ -114,6 +114,7 @@ void describe(PartFields& fields, PlanSlab& slab);
 void describe(PartFields& fields, PlanDetail& detail);
 void describe(PartFields& fields, PlanNiche& niche);
 void describe(PartFields& fields, OpeningWall& wall);
+void describe(PartFields& fields, OpeningEdge& edge);
 void describe(PartFields& fields, PlanOpening& opening);
 void describe(PartFields& fields, PlanStorey& storey);
 void describe(PartFields& fields, PlanStair& stair);

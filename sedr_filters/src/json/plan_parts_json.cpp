@@ -67,6 +67,7 @@ constexpr double degrees = 180 / M_PI;
 constexpr std::array<const char*, 4> kinds{"unknown", "door", "window", "passage"};
 constexpr std::array<const char*, 4> hinges{"unknown", "start", "end", "both"};
 constexpr std::array<const char*, 4> states{"unknown", "closed", "ajar", "open"};
+constexpr std::array<const char*, 4> edges_seen{"nothing", "leaf", "rim", "reveal"};
 constexpr std::array<const char*, 3> curves{"cylinder", "ellipsoid", "relief"};
 
 /** @brief A property of an opening with names. */
@@ -129,6 +130,7 @@ describe(PartFields& fields, PlanElement& e)
   fields.optional("accuracy", e.accuracy, e.accuracy.isKnown());
   double tilt = e.tilt * degrees;
   fields.optional("tilt", tilt, tilt != 0);
+  fields.optional("confirmed", e.is_confirmed, e.is_confirmed);
   e.tilt = tilt / degrees;
 }
 
@@ -237,6 +239,13 @@ describe(PartFields& fields, OpeningWall& wall)
 }
 
 void
+describe(PartFields& fields, OpeningEdge& edge)
+{
+  describeName(fields, "seen", edges_seen, edge.seen);
+  fields.optional("error", edge.error);
+}
+
+void
 describe(PartFields& fields, PlanOpening& opening)
 {
   Json head{{"shape", opening.rise > 0 ? "arched" : "flat"}};
@@ -261,6 +270,8 @@ describe(PartFields& fields, PlanOpening& opening)
   fields.optional("confidence", opening.confidence);
   fields.optional("residual", opening.residual);
   fields.optional("deviation_95", opening.deviation_95, opening.deviation_95 > 0);
+  fields.optional("edges", opening.edges, opening.edges[0].error > 0);
+  fields.optional("confirmed", opening.is_confirmed, opening.is_confirmed);
 }
 
 // Storeys and stairs.

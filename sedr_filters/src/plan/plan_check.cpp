@@ -339,6 +339,8 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
   checkRange(opening.depth, 0, max_coordinate, "the depth of an opening");
   checkRange(opening.residual, 0, max_coordinate, "the residual of an opening");
   checkRange(opening.deviation_95, 0, max_coordinate, "the deviation of an opening");
+  for (const OpeningEdge& edge : opening.edges)
+    checkRange(edge.error, 0, max_coordinate, "the error of an opening's edge");
   checkRange(opening.confidence, 0, 1, "the confidence of an opening", "");
 }
 

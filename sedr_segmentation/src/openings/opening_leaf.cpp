@@ -193,6 +193,7 @@ findLeaves(const Floorplan& plan,
     if (!best.is_left) {
       std::swap(o.start, o.end);
       std::swap(o.rooms[0], o.rooms[1]);
+      std::swap(o.edges[0], o.edges[1]);
       if (o.hinge != OpeningHinge::Both)
         o.hinge =
             o.hinge == OpeningHinge::Start ? OpeningHinge::End : OpeningHinge::Start;

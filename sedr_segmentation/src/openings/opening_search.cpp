@@ -217,15 +217,16 @@ private:
                                         sides[other->side].line.project(place)};
       const std::vector<SideBehind>& backs = backs_[k].at(s);
       if (const std::vector<SideBehind>& bay = bays_[k].at(s); !bay.empty())
-        is_wall[c] = bay.front().depth < opening_numbers.reveal_strip || // a pane
-                     (!backs.empty() && // the bay ends within the wall
-                      std::all_of(backs.begin(), backs.end(),
-                                  [&](const SideBehind& back) {
-                                    return seenOf(back) < sizes_.on_floor;
-                                  })) ||
-                     map.seenHeight(s) >
-                         std::max(sizes_.on_floor,
-                                  opening_numbers.bay_share * seenOf(bay.front()));
+        is_wall[c] =
+            bay.front().depth < opening_numbers.reveal_strip || // a pane
+            (!backs.empty() && // the bay ends within the wall
+             std::all_of(backs.begin(), backs.end(),
+                         [&](const SideBehind& back) {
+                           return seenOf(back) < sizes_.on_floor;
+                         })) ||
+            (map.reachesCeiling(s, sizes_.usual_lintel) && // no furniture
+             map.seenHeight(s) > std::max(sizes_.on_floor, opening_numbers.bay_share *
+                                                               seenOf(bay.front())));
     }
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
   }
@@ -258,7 +259,7 @@ private:
     o.bottom = at.bottom;
     o.top = at.top;
     o.rise = at.rise;
-    o.residual = at.residual;
+    o.edges = at.edges;
     o.deviation_95 = at.deviation;
     o.rooms[0] = room.id;
     o.rooms[1] =
@@ -272,8 +273,14 @@ private:
         std::max(sizes_.on_floor, 1.2 * map.cell()); // rows hold the floor's points
     if (at.bottom - floor < step &&
         map.shareOf(WallCell::Seen, at.from, at.to, at.bottom - map.cell(), at.bottom) <
-            0.5)
+            0.5) {
       o.bottom = floor;
+      o.edges[2] = {EdgeSeen::Reveal, Priors().unevenness};
+    }
+    double squares = 0;
+    for (const OpeningEdge& edge : o.edges)
+      squares += edge.error * edge.error;
+    o.residual = std::sqrt(squares / 4);
   }
 
   const Floorplan& plan_;

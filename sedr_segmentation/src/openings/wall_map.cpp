@@ -122,6 +122,17 @@ WallMap::seenHeight(double along) const
              column, column + static_cast<std::ptrdiff_t>(rows_), WallCell::Seen));
 }
 
+bool
+WallMap::reachesCeiling(double along, double distance) const
+{
+  const auto c = static_cast<std::size_t>(std::max(0.0, along) / cell_);
+  for (std::size_t r = rows_; c < columns_ && r-- > 0;)
+    if (heightOf(r + 1) > ceilings_[c] - distance &&
+        cells_[c * rows_ + r] == WallCell::Seen)
+      return true;
+  return false;
+}
+
 /** @brief Moves the points so that those of the face have offset 0, and estimates their
  * noise. */
 void

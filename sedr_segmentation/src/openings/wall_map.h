@@ -91,6 +91,9 @@ public:
   /** @brief Returns the height of the cells of a column that were seen, metres. */
   double seenHeight(double along) const;
 
+  /** @brief Returns whether the face was seen up to a distance below the ceiling. */
+  bool reachesCeiling(double along, double distance) const;
+
   /** @brief Returns how far points of the face are off it, three standard deviations.
    */
   double tolerance() const { return tolerance_; }

@@ -8,6 +8,7 @@
 
 #include <pcl/types.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -96,9 +97,9 @@ struct WallRectangle {
   double from = 0; ///< along the side
   double to = 0;
   double bottom = 0;
-  double top = 0;       ///< of an arched head: its highest point
-  double residual = 0;  ///< standard deviation of its edges
-  double rise = 0;      ///< of an arched head
+  double top = 0;                     ///< of an arched head: its highest point
+  std::array<OpeningEdge, 4> edges{}; ///< from, to, bottom, top
+  double rise = 0;                    ///< of an arched head
   double deviation = 0; ///< distance from its edges of 95 % of what shows them
 };
 

@@ -207,8 +207,9 @@ private:
     drawing.labels.push_back(
         {PlanLayer::Note,
          outline,
-         {markOf(opening),
-          decimalText(opening.width(), 2) + " x " + decimalText(opening.height(), 2)}});
+         {markOf(opening), (isRough(opening) ? "~" : "") +
+                               decimalText(opening.width(), 2) + " x " +
+                               decimalText(opening.height(), 2)}});
     return outline;
   }
 

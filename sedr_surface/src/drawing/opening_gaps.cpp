@@ -69,6 +69,7 @@ gapOf(const Floorplan& plan, const PlanOpening& opening, double depth)
                  opening.start - to_right};
   gap.mark = markOf(opening);
   gap.width = opening.width();
+  gap.is_rough = isRough(opening);
   gap.height = opening.height();
   gap.kind = opening.kind;
   gap.has_faces = opening.kind == OpeningKind::Window;
@@ -228,8 +229,8 @@ columnText(const PlanLoop& column)
 std::string
 textOf(const OpeningGap& opening)
 {
-  return opening.mark + " " + decimalText(opening.width, 2) + " x " +
-         decimalText(opening.height, 2) +
+  return opening.mark + (opening.is_rough ? " ~" : " ") +
+         decimalText(opening.width, 2) + " x " + decimalText(opening.height, 2) +
          (opening.kind == OpeningKind::Window ? " sill " + decimalText(opening.sill, 2)
                                               : "");
 }

@@ -133,7 +133,9 @@ titleTextsOf(const PlanDrawing& drawing)
           explains(PlanLayer::Slope, " Arrows lead up.") +
           explains(PlanLayer::Contour, " Thin: contour lines.") +
           explains(PlanLayer::Guess, " Grey, dashed: walls inferred, not measured.") +
-          explains(PlanLayer::Outside, " Outer walls as thick as their reveals.") +
+          explains(PlanLayer::Outside,
+                   " Grey, dashed outside: outer faces, not seen; walls are at least "
+                   "as thick as their reveals.") +
           (are_assumed ? " Light: thickness of the wall assumed." : "") +
           (drawing.texts.unplaced.empty()
                ? ""

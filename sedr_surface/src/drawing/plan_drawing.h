@@ -23,15 +23,25 @@ namespace pcl::sedr {
 struct OpeningGap {
   std::string mark; ///< its number, see markOf()
   std::array<Eigen::Vector2d, 4>
-      corners;       ///< around the gap: along a face, back; metres
-  double width = 0;  ///< metres
-  double height = 0; ///< metres
-  double sill = 0;   ///< of a window above the floor, metres
+      corners;           ///< around the gap: along a face, back; metres
+  double width = 0;      ///< metres
+  bool is_rough = false; ///< its width is not known to the centimetre
+  double height = 0;     ///< metres
+  double sill = 0;       ///< of a window above the floor, metres
   OpeningKind kind = OpeningKind::Unknown;
   bool has_faces = false;          ///< both faces of the wall go on below or above it
   bool has_filling = true;         ///< what shuts it is drawn
   std::vector<PlanElement> leaf{}; ///< of a door: its leaves and their swings
 };
+
+/** @brief Returns whether the width of an opening is not known to a centimetre, as
+ * texts tell it. */
+inline bool
+isRough(const PlanOpening& opening)
+{
+  constexpr double told = 0.01; // metres
+  return opening.widthError() > told;
+}
 
 /** @brief Returns the layer of a gap. */
 inline PlanLayer
@@ -163,7 +173,8 @@ roomTexts(const RoomFaces& ceiling, DrawingView view, double zero);
  * shapes. */
 std::string columnText(const PlanLoop& column);
 
-/** @brief Returns number and size of an opening: "W2 1.20 x 1.40 sill 0.90". */
+/** @brief Returns number and size of an opening: "W2 1.20 x 1.40 sill 0.90", with a
+ * tilde before a rough one. */
 std::string textOf(const OpeningGap& opening);
 
 /** @brief What a drawing shows, whatever its format. */

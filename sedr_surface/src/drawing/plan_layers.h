@@ -13,7 +13,7 @@ namespace pcl::sedr {
 /** @brief What a line, an area or a text of a drawing tells of. */
 enum class PlanLayer {
   Wall,
-  Outside, ///< far sides of walls with one seen face, where their thickness is known
+  Outside, ///< far sides of walls with one seen face, as far as reveals are deep
   Guess,   ///< walls of which hardly anything was measured
   Column,
   Niche,
@@ -64,7 +64,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 /** In the order of PlanLayer. */
 inline const std::array<LayerStyle, 22> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
-     {"A-WALL-EXTR", 7, false, {no_colour, ink, 0.5}, ink},
+     {"A-WALL-EXTR", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
      {"A-COLS", 1, false, {no_colour, ink, 0.35}, 0x444444},
      {"A-WALL-NICH", 6, false, {no_colour, 0x333333, 0.3}, ink},

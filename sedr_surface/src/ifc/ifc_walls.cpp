@@ -68,6 +68,7 @@ WallRow
 rowOf(const IfcDocument& document, const WrittenWall& written)
 {
   constexpr const char* sources[] = {"faces", "reveals", "storey", "assumed"};
+  constexpr const char* claims[] = {"measured", "at least", "assumed", "assumed"};
   const PlanWall& wall = written.wall;
   WallRow row{written.number,
               wall.other ? numberOf(document.plan, *wall.other) : "",
@@ -75,6 +76,7 @@ rowOf(const IfcDocument& document, const WrittenWall& written)
               written.is_external,
               wall.thickness,
               sources[static_cast<std::size_t>(wall.source)],
+              claims[static_cast<std::size_t>(wall.source)],
               wall.stretch.length(),
               written.top() - written.bottom()};
   WallBody upright = written;
@@ -109,7 +111,7 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
                           {"VOLUME", "NetVolume", row.net_volume}});
   const std::string type = std::string(row.is_external ? "Outer wall " : "Wall ") +
                            decimalText(row.thickness, 2) +
-                           (wall.isAssumed() ? " assumed" : "");
+                           (wall.other ? "" : " " + row.thickness_is);
   document.addToType("IFCWALLTYPE", type, written.ref, {symbol("NOTDEFINED")});
   document.addProperties(
       written.ref, written.name, "Pset_WallCommon",
@@ -118,6 +120,7 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
   std::vector<Property> properties{
       {"ThicknessAssumed", typed("IFCBOOLEAN", logical(wall.isAssumed()))},
       {"ThicknessKnownBy", typed("IFCLABEL", row.known_by)},
+      {"ThicknessIs", typed("IFCLABEL", row.thickness_is)},
       {"Face", typed("IFCTEXT", faceName(document.plan, wall.face))},
       {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
       {"Points", typed("IFCINTEGER", integer(face.inliers))}};

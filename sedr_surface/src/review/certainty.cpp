@@ -22,7 +22,6 @@ struct Weights {
   std::vector<std::pair<const char*, double>> of_signs; ///< by name
 };
 
-constexpr double usual_width = 0.8; // metres; narrower openings are less likely
 const double max_wall = Priors().max_wall;
 
 /** @brief What test/benchmarks/certainty_grades.py fits; the only place for it. */
@@ -42,15 +41,11 @@ wallWeights()
 const Weights&
 openingWeights()
 {
-  static const Weights weights{{0.22, 1.58, 2.44},
-                               {{"log_confidence", 0.06},
-                                {"log_error", -1.89},
-                                {"error_above", 0.49},
-                                {"two_faces", 0.52},
-                                {"unknown_kind", -3.30},
-                                {"passage", -0.42},
-                                {"closed", -1.52},
-                                {"narrow", 2.34}}};
+  static const Weights weights{{-1.07, 0.14, 0.91},
+                               {{"log_confidence", 0.34},
+                                {"log_error", -0.97},
+                                {"two_faces", 1.10},
+                                {"unknown_kind", -0.93}}};
   return weights;
 }
 
@@ -150,6 +145,8 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
                         thicknesses[r][e] > 0 ? 1.0 : 0.0,
                         std::min(off[{room.id, e + 1}] / shares.area, 1.0)}},
                       error));
+      if (wall.is_confirmed)
+        walls.back().within.fill(1);
     }
   return walls;
 }
@@ -166,19 +163,18 @@ certaintyOfOpenings(const Floorplan& plan)
     const PlanOpening& opening = plan.openings[k];
     const double sure = std::clamp(opening.confidence, 0.01, 0.999);
     const double error = logError(std::max(opening.residual, 1e-9), usual);
-    if (opening.residual > 0 && opening.confidence > 0)
-      openings.push_back(
-          certaintyBy(openingWeights(),
-                      {markOf(opening),
-                       std::max(opening.rooms[0], opening.rooms[1]),
-                       k,
-                       opening.width() * opening.height(),
-                       {std::log(sure / (1 - sure)), error, std::max(error, 0.0),
-                        opening.walls.size() > 1 ? 1.0 : 0.0,
-                        opening.kind == OpeningKind::Unknown ? 1.0 : 0.0,
-                        opening.kind == OpeningKind::Passage ? 1.0 : 0.0,
-                        opening.state == OpeningState::Closed ? 1.0 : 0.0,
-                        std::min(std::log(opening.width() / usual_width), 0.0)}}));
+    if (opening.residual > 0 && opening.confidence > 0) {
+      openings.push_back(certaintyBy(
+          openingWeights(),
+          {markOf(opening),
+           std::max(opening.rooms[0], opening.rooms[1]),
+           k,
+           opening.width() * opening.height(),
+           {std::log(sure / (1 - sure)), error, opening.walls.size() > 1 ? 1.0 : 0.0,
+            opening.kind == OpeningKind::Unknown ? 1.0 : 0.0}}));
+      if (opening.is_confirmed)
+        openings.back().within.fill(1);
+    }
   }
   return openings;
 }

@@ -19,9 +19,10 @@ namespace {
 
 constexpr double sure = 0.9;             // probability of what is not doubted
 constexpr std::size_t measured_sign = 1; // see wallSigns()
-constexpr double same_place = 1;         // metres
-constexpr double little = 0.02;          // share of walls and floors, after the checks
-constexpr double too_much = 0.1;         // likewise, of all that a new scan settles
+constexpr std::size_t error_sign = 3, faces_sign = 4;
+constexpr double same_place = 1; // metres
+constexpr double little = 0.02;  // share of walls and floors, after the checks
+constexpr double too_much = 0.1; // likewise, of all that a new scan settles
 
 std::string
 percent(double share)
@@ -38,25 +39,30 @@ subjectOf(const PlanOpening& opening)
 
 /** @brief Returns why a wall without a warning is not sure. */
 std::string
-reasonOf(const PlanElement& wall, double measured)
+reasonOf(const PlanElement& wall, const std::vector<double>& signs)
 {
   const SurfaceAccuracy& accuracy = wall.accuracy;
-  return "it is " + decimalText(wall.length(), 2) + " m long, " + percent(measured) +
-         " of it was measured" +
+  return "it is " + decimalText(wall.length(), 2) + " m long, " +
+         percent(signs[measured_sign]) + " of it was measured" +
          (accuracy.isKnown()
               ? ", with a standard error of " +
                     decimalText(1000 * accuracy.standard_error, 1) + " mm"
-              : ", its standard error is not known");
+              : ", its standard error is not known") +
+         (std::exp(signs[error_sign]) > 2 ? ", more than twice the usual" : "") +
+         (signs[faces_sign] > 0 ? "" : ", its other face was not seen");
 }
 
 /** @brief Returns why an opening is not sure. */
 std::string
 reasonOf(const PlanOpening& opening)
 {
-  std::string reason =
-      "its edges are known to " + decimalText(100 * opening.residual, 1) + " cm";
-  if (!opening.hasSeenReveals())
-    reason += ", its jambs were hidden";
+  std::string reason = "it is " + decimalText(opening.width(), 2) +
+                       " m wide with a standard error of " +
+                       decimalText(100 * opening.widthError(), 1) + " cm";
+  if (opening.jambsSeen() == EdgeSeen::Nothing)
+    reason += ", a jamb was not seen";
+  else if (opening.jambsSeen() != EdgeSeen::Reveal)
+    reason += ", of a jamb only the end of wall or leaf was seen";
   if (opening.kind != OpeningKind::Window && opening.leadsOutside())
     reason += ", no room was seen beyond";
   if (opening.kind == OpeningKind::Unknown)
@@ -95,6 +101,8 @@ public:
   {
     const PlanOpening* const opening =
         warning.kind == WarningKind::NarrowDoor ? doorAt(warning.at) : nullptr;
+    if (isConfirmed(plan_, warning) || (opening && opening->is_confirmed))
+      return;
     Draft& draft = opening
                        ? draftOf(subjectOf(*opening), warning.room, warning.at, true)
                        : draftOf(sedr::subjectOf(warning), warning.room,
@@ -118,7 +126,7 @@ public:
       const PlanRoom* const room = findRoom(plan_, of.room);
       const PlanElement& wall = room->boundary.elements[of.index];
       add(of, "wall " + of.element, wall.pointAt(wall.length() / 2),
-          [&] { return reasonOf(wall, of.signs[measured_sign]); });
+          [&] { return reasonOf(wall, of.signs); });
     }
     for (const Certainty& of : review.openings) {
       const PlanOpening& opening = plan_.openings[of.index];
@@ -341,6 +349,14 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
   review.doubts = doubts.sorted();
   judge(plan, review);
   return review;
+}
+
+bool
+isConfirmed(const Floorplan& plan, const PlanWarning& warning)
+{
+  const PlanRoom* const room = findRoom(plan, warning.room);
+  return room && warning.wall > 0 && warning.wall <= room->boundary.elements.size() &&
+         room->boundary.elements[warning.wall - 1].is_confirmed;
 }
 
 std::vector<std::string>

@@ -102,6 +102,11 @@ const std::vector<Column<OpeningRow>> opening_columns{
     {"kind", [](const OpeningRow& o) { return o.kind; }},
     {"storey", [](const OpeningRow& o) { return o.storey; }},
     {"width_m", [](const OpeningRow& o) { return measure(o.width); }},
+    {"width_is", [](const OpeningRow& o) { return o.width_is; }},
+    {"width_error_mm",
+     [](const OpeningRow& o) {
+       return o.width_error > 0 ? decimalText(1000 * o.width_error, 1) : "";
+     }},
     {"height_m", [](const OpeningRow& o) { return measure(o.height); }},
     {"sill_m", [](const OpeningRow& o) { return measure(o.sill); }},
     {"head_m", [](const OpeningRow& o) { return measure(o.head()); }},
@@ -119,6 +124,7 @@ const std::vector<Column<WallRow>> wall_columns{
     {"external",
      [](const WallRow& w) { return std::string(w.is_external ? "yes" : "no"); }},
     {"thickness_m", [](const WallRow& w) { return measure(w.thickness); }},
+    {"thickness_is", [](const WallRow& w) { return w.thickness_is; }},
     {"thickness_known_by", [](const WallRow& w) { return w.known_by; }},
     {"length_m", [](const WallRow& w) { return measure(w.length); }},
     {"height_m", [](const WallRow& w) { return measure(w.height); }},
@@ -178,9 +184,20 @@ representedLevel(const SurfaceAccuracy& accuracy)
 SurfaceAccuracy
 accuracyOf(const PlanOpening& opening)
 {
-  return opening.deviation_95 > 0
-             ? SurfaceAccuracy{opening.residual, opening.deviation_95}
-             : SurfaceAccuracy{};
+  double worst = opening.residual;
+  for (const OpeningEdge& edge : opening.edges)
+    worst = std::max(worst, edge.error);
+  return opening.deviation_95 > 0 ? SurfaceAccuracy{worst, opening.deviation_95}
+                                  : SurfaceAccuracy{};
+}
+
+std::string
+widthIs(const PlanOpening& opening)
+{
+  constexpr std::array<const char*, 4> words{"seen part", "leaf or frame",
+                                             "between rims", "between reveals"};
+  return opening.widthError() > 0 ? words[static_cast<std::size_t>(opening.jambsSeen())]
+                                  : "";
 }
 
 std::vector<OpeningRow>
@@ -205,9 +222,9 @@ openingRows(const Floorplan& plan)
         });
     rows.push_back({markOf(*opening), nameOf(opening->kind),
                     storey == storeys.end() ? "" : storey->name, opening->width(),
-                    opening->height(), sillOf(plan, *opening), leafOf(*opening),
-                    opening->swing, opening->rooms, opening->confidence,
-                    accuracyOf(*opening)});
+                    opening->height(), widthIs(*opening), opening->widthError(),
+                    sillOf(plan, *opening), leafOf(*opening), opening->swing,
+                    opening->rooms, opening->confidence, accuracyOf(*opening)});
   }
   return rows;
 }

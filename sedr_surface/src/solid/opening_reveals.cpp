@@ -16,6 +16,7 @@ namespace {
 constexpr double step = 0.01;       ///< of the search for a room's boundary, metres
 constexpr double most_beside = 0.4; ///< from a face of the wall to that boundary
 constexpr double min_depth = 0.02;  ///< of a reveal, metres
+constexpr double pane_depth = 0.05; ///< of one behind a pane that a room is drawn to
 constexpr double on_slab = 0.06;    ///< distance from floor or ceiling of one on it
 
 /** @brief An opening seen from a room: places along its wall and across it, from the
@@ -197,6 +198,9 @@ roomsBeside(const Floorplan& plan, const PlanOpening& opening)
         double off = -opening.depth / 2;
         while (off < end && !plan.rooms[r].contains(frame.at(share, off)))
           off += step;
+        while (opening.leadsOutside() && off > -end &&
+               plan.rooms[r].contains(frame.at(share, off - step)))
+          off -= step; // the room is drawn to a pane
         if (off >= end)
           continue;
         found.nearest = std::min(found.nearest, off);
@@ -233,14 +237,17 @@ RevealedPlan::RevealedPlan(const Floorplan& plan)
     for (const RoomBeside& side : beside) {
       const PlanRoom& room = plan.rooms[side.room];
       const OpeningFrame frame(plan, opening, side.is_left);
-      const double far = is_joined ? (side.is_left ? middle : -middle)
-                                   : outerEnd(plan, room, frame, opening.depth);
-      // The plan may be drawn to the pane, have a niche as deep as the wall, or a room
-      // that goes on through the opening.
+      double far = is_joined ? (side.is_left ? middle : -middle)
+                             : outerEnd(plan, room, frame, opening.depth);
+      if (!is_joined && side.nearest - far < min_depth &&
+          side.nearest + most_beside > -opening.depth / 2 + step)
+        far = side.nearest - pane_depth;
+      // The plan may have a niche as deep as the wall, or a room that goes on through
+      // the opening.
       const bool is_through = side.nearest - far < min_depth;
       is_open[k] = is_joined
                        ? is_open[k] || (is_through && beside[0].room == beside[1].room)
-                       : is_through || room.nicheAt(frame.at(0.5, far + step)) >= 0;
+                       : room.nicheAt(frame.at(0.5, far + step)) >= 0;
       if (is_open[k] || is_through)
         continue;
       reveals.push_back({k, side.room, rooms[side.room].niches.size(), is_joined});

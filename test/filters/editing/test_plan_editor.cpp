@@ -232,6 +232,26 @@ TEST(EditRefusals, AMovedStoreyWasNotMeasured)
   EXPECT_EQ(editor.getFloorplan().openings[0].top, 3);
 }
 
+TEST(PlanEditor, WhatIsConfirmedStaysSoUntilItIsEdited)
+{
+  PlanEditor editor(twoRooms());
+  const std::string mark = markOf(editor.getFloorplan().openings[0]);
+  ASSERT_TRUE(done(editor.confirm("1.2"), editor));
+  ASSERT_TRUE(done(editor.confirm(mark), editor));
+  EXPECT_EQ(editor.getSentence(), mark + " is confirmed");
+  std::string problem;
+  const Floorplan read =
+      floorplanFromJson(floorplanToJson(editor.getFloorplan()), problem);
+  EXPECT_TRUE(read.rooms[0].boundary.elements[1].is_confirmed);
+  EXPECT_TRUE(read.openings[0].is_confirmed);
+  PlanEditor again(read);
+  OpeningChange wider;
+  wider.width = 0.8;
+  ASSERT_TRUE(done(again.setOpening(mark, wider), again));
+  EXPECT_FALSE(again.getFloorplan().openings[0].is_confirmed);
+  EXPECT_EQ(refusal(again.confirm("W9"), again), "there is no wall or opening W9");
+}
+
 TEST(EditRefusals, AJogIsNoDeeperThanAWall)
 {
   const Floorplan plan =

@@ -108,6 +108,9 @@ TEST(FloorplanDrawing, OuterWallsHaveBothFaces)
   EXPECT_EQ(lengthOf(PlanLayer::Guess, seen), 0);
   EXPECT_FALSE(holds(svgOf(plan), "thickness of the wall assumed"));
   EXPECT_TRUE(holds(dxfOf(plan), "8\nA-WALL-EXTR\n"));
+  EXPECT_FALSE(holds(dxfOf(plan), "~1.00 x 1.00"));
+  plan.openings[0].edges[0] = {EdgeSeen::Rim, 0.015};
+  EXPECT_TRUE(holds(dxfOf(plan), "~1.00 x 1.00")) << "not known to a centimetre";
 }
 
 TEST(FloorplanDrawing, SectionsAreMarkedAtBothEnds)

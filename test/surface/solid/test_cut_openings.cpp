@@ -208,7 +208,7 @@ TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
   EXPECT_TRUE(checkTopology(cut.extrusion.getMesh()).isClosedManifold());
 }
 
-TEST(CutOpenings, NeedNothingWhereThePlanWasDrawnToThePane)
+TEST(CutOpenings, AreCutIntoThePaneThatAPlanWasDrawnTo)
 {
   Floorplan plan = wallOfTwoRooms();
   plan.openings = {openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)};
@@ -216,7 +216,10 @@ TEST(CutOpenings, NeedNothingWhereThePlanWasDrawnToThePane)
   plan.openings.push_back(openingAt({2, 0}, {2, 8.3}, {1, 8.3}, 1, 2, 0.2));
   const CutSolid cut(plan);
   cut.expectSound(2);
-  EXPECT_NEAR(cut.volume(), 100 + 0.2, 1e-5);
+  EXPECT_NEAR(cut.volume(), 100 + 0.2 + 2 * 1.3 * 0.05, 1e-5);
+  plan.openings[0].start.y() = plan.openings[0].end.y() = 0.6; // far within the room
+  CutSolid(plan).expectSound(
+      2, "of 2 openings 1 are closed in the solid, number 1 of floorplan.json");
 }
 
 TEST(CutOpenings, NeedNothingWhereARoomGoesOnThroughThem)

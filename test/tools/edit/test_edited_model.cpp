@@ -214,6 +214,34 @@ TEST_F(EditedModel, UndoGoesBackToThePlanAndTheReportBefore)
   expectSentence(run(FLOORPLAN_EDIT, {model(), "--undo"}), 1, "no edit to undo");
 }
 
+TEST_F(EditedModel, AConfirmedWallIsDoubtedNoMore)
+{
+  const auto before = doubts();
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--confirm", "1.3"}).exit_code, 0);
+  const auto now = doubts();
+  EXPECT_EQ(now.size(), before.size()) << "one less, and that the plan was edited";
+  const auto areOff = [](const std::vector<std::string>& texts) {
+    return std::count_if(texts.begin(), texts.end(), [](const std::string& text) {
+      return text.find("off") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(areOff(now), areOff(before) - 1);
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "2=3"}).exit_code, 0);
+  EXPECT_NE(bytesOf(in("model/floorplan.json")).find("\"confirmed\""),
+            std::string::npos);
+}
+
+TEST_F(EditedModel, AfterAnotherRunThereIsNoEditToUndo)
+{
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--name", "1=Hall"}).exit_code, 0);
+  // As pcl_sedr keeps it when it writes another one.
+  std::filesystem::rename(in("model/floorplan.json"), in("model/floorplan.json~~"));
+  SampleResult().writeTo(model());
+  const std::string plan = bytesOf(in("model/floorplan.json"));
+  expectSentence(run(FLOORPLAN_EDIT, {model(), "--undo"}), 1, "no edit to undo");
+  EXPECT_EQ(bytesOf(in("model/floorplan.json")), plan);
+}
+
 TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
 {
   writeFile(in("model/report.html"), "of a run");

@@ -102,7 +102,9 @@ openingsOf(const Floorplan& plan)
                         {"height", opening.height()},
                         {"bottom", opening.bottom},
                         {"confidence", opening.confidence},
-                        {"residual", opening.residual}});
+                        {"residual", opening.residual},
+                        {"width_is", widthIs(opening)},
+                        {"width_error", opening.widthError()}});
   return openings;
 }
 

@@ -190,7 +190,7 @@
         ['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)],
         ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2) + (door.rooms.includes(0) ? ' at least' : '')],
         ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
-        ['probability of kind', door => percent(door.confidence)], ['residual of edges, cm', door => number(100 * door.residual, 1)]], found));
+        ['probability of kind', door => percent(door.confidence)], ['width is', door => door.width_is], ['its standard error, cm', door => number(100 * door.width_error, 1)]], found));
     return found.length > 0;
   }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -123,6 +124,7 @@ struct PlanElement {
   ElementEvidence evidence; ///< shares seen, hidden and open
   SurfaceAccuracy accuracy; ///< of its place
   double tilt = 0; ///< of a wall, radians from the vertical, positive into the room
+  bool is_confirmed = false; ///< somebody looked, and it is as the plan has it
 
   bool isArc() const { return radius > 0; }
 
@@ -337,6 +339,16 @@ enum class OpeningHinge { Unknown, Start, End, Both };
 /** @brief Whether a leaf, sash or blind shuts an opening. */
 enum class OpeningState { Unknown, Closed, Ajar, Open };
 
+/** @brief What shows an edge of an opening: nothing, so that it may lie far off; the
+ * end of a leaf or pane; the end of the wall's face; or the plane of its reveal. */
+enum class EdgeSeen { Nothing, Leaf, Rim, Reveal };
+
+/** @brief How an edge of an opening was seen. */
+struct OpeningEdge {
+  EdgeSeen seen = EdgeSeen::Nothing;
+  double error = 0; ///< standard error of its place, metres; 0: not known
+};
+
 /** @brief A wall that an opening is in: an element of a room's boundary. */
 struct OpeningWall {
   std::uint32_t room = 0; ///< PlanRoom::id
@@ -363,16 +375,29 @@ struct PlanOpening {
   OpeningHinge hinge = OpeningHinge::Unknown;
   std::uint32_t swing = 0; ///< the one of `rooms` it opens into, if the hinge is known
   OpeningState state = OpeningState::Unknown;
-  double confidence = 0;    ///< probability of `kind`, or of the likeliest if unknown
-  double residual = 0;      ///< standard deviation of its edges
-  double deviation_95 = 0;  ///< distance from its edges within which 95 % of the points
-                            ///< that show them lie; 0: none does
+  double confidence = 0;   ///< probability of `kind`, or of the likeliest if unknown
+  double residual = 0;     ///< root mean square of the errors of its edges
+  double deviation_95 = 0; ///< distance from its edges within which 95 % of the points
+                           ///< that show them lie; 0: none does
+  std::array<OpeningEdge, 4> edges{}; ///< at start and end, at bottom and top
+  bool is_confirmed = false;          ///< somebody looked, and it is as the plan has it
   std::uint32_t number = 0; ///< in its kind, see numberOpenings(); 0: not numbered yet
 
   double width() const;
   double height() const { return top - bottom; }
   bool leadsOutside() const { return rooms[0] == 0 || rooms[1] == 0; }
   bool hasSeenReveals() const { return depth != unseen_reveal; }
+  /** @brief Returns the standard error of its width; 0: not known. */
+  double widthError() const { return std::hypot(edges[0].error, edges[1].error); }
+  /** @brief Returns what shows the worse one of its jambs. */
+  EdgeSeen jambsSeen() const { return std::min(edges[0].seen, edges[1].seen); }
+  /** @brief Forgets how well its edges are known, as they were edited. */
+  void forgetAccuracy()
+  {
+    residual = deviation_95 = 0;
+    edges = {};
+    is_confirmed = false;
+  }
 };
 
 /** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7), and

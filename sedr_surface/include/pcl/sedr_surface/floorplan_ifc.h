@@ -39,6 +39,8 @@ struct OpeningRow {
   std::string storey;
   double width = 0;
   double height = 0;
+  std::string width_is{};             ///< what was seen of the jambs, see widthIs()
+  double width_error = 0;             ///< standard error; 0: not known
   double sill = 0;                    ///< above the floor, see sillOf()
   std::string leaf{};                 ///< "left", "right", "double"; see leafOf()
   std::uint32_t swing = 0;            ///< room that the leaf opens into
@@ -56,7 +58,8 @@ struct WallRow {
   std::string storey;
   bool is_external = false;
   double thickness = 0;
-  std::string known_by{}; ///< "faces", "reveals", "storey" or "assumed"
+  std::string known_by{};     ///< "faces", "reveals", "storey" or "assumed"
+  std::string thickness_is{}; ///< "measured", "at least" or "assumed"
   double length = 0;
   double height = 0;     ///< the maximum
   double gross_area = 0; ///< of one side
@@ -93,9 +96,14 @@ std::string measuredLevel(const SurfaceAccuracy& accuracy);
 /** @brief Returns the level at which the model represents the points. */
 std::string representedLevel(const SurfaceAccuracy& accuracy);
 
-/** @brief Returns the accuracy of the edges of an opening; none if nothing shows them.
- */
+/** @brief Returns the accuracy of the worst edge of an opening; none if nothing shows
+ * any. */
 SurfaceAccuracy accuracyOf(const PlanOpening& opening);
+
+/** @brief Returns what the width of an opening is: "between reveals" that were seen, of
+ * the wall or a lining; "between rims" of the wall's face; "leaf or frame"; "seen
+ * part", if nothing shows a jamb; empty if it was edited. */
+std::string widthIs(const PlanOpening& opening);
 
 /** @brief Returns the rows of the openings, by kind and number.
  * @param plan with numbers, see numberOpenings() */
