@@ -14,6 +14,7 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double thinnest = 0.002; // metres, of a cell
+constexpr double shortest = 0.02;  // metres within a cell of a divider that ends there
 constexpr double same_end = 1e-7;  // metres
 
 /** @brief Returns the way from a place in a convex polygon to its edge. */
@@ -74,16 +75,17 @@ PlanCells::cellAt(const Eigen::Vector2d& p) const
   return cells_[static_cast<std::size_t>(nodes_[n].cell)];
 }
 
-/** @brief Returns a divider that goes on up to the edges of the cells in which it ends,
- * and through thin ones beyond that are open to the edge of the rectangle: between the
- * faces of a wall that ends before them. */
+/** @brief Returns a divider that goes on up to the edges of the cells in which it ends.
+ * If a wall ends before it and its faces go on as lines up to the edge of the plan, the
+ * cell between them is within the room on one side of the divider and outside on the
+ * other, so the divider goes on through it. */
 PlanDivider
 PlanCells::throughOpenEnds(PlanDivider divider) const
 {
   const auto lengthen = [&](Eigen::Vector2d& end, const Eigen::Vector2d& way) {
-    Eigen::Vector2d p = end;
+    Eigen::Vector2d p = end - shortest * way;
     const Cell* cell = &cellAt(p);
-    double length = std::max(0.0, wayOut(cell->corners, p, way));
+    double length = wayOut(cell->corners, p, way);
     do {
       end = p + length * way;
       p = end + thinnest * way;
@@ -92,7 +94,7 @@ PlanCells::throughOpenEnds(PlanDivider divider) const
     } while (length > 0 && length < divider.through && isAtEdge(*cell));
   };
   const Eigen::Vector2d way = (divider.end - divider.start).normalized();
-  if (divider.through > 0) {
+  if (divider.through > 0 && (divider.end - divider.start).norm() > 2 * shortest) {
     lengthen(divider.start, -way);
     lengthen(divider.end, way);
   }
@@ -162,7 +164,7 @@ PlanCells::partCell(std::size_t node, const PlanDivider& divider)
   const double length = (divider.end - divider.start).norm();
   const auto [first, last] = std::minmax(crossings[0], crossings[1]);
   const double inside = std::min(length, last) - std::max(0.0, first);
-  if (inside < std::min(10 * thinnest, last - first - same_end))
+  if (inside < std::min(shortest, last - first - same_end))
     return;
   for (Cell& part : parts) { // without edges of no length
     for (std::size_t i = 0; i < part.corners.size();) {

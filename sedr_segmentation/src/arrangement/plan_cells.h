@@ -32,7 +32,7 @@ struct CellBorder {
 
 /** @brief The convex cells into which dividers part a rectangle, and where they meet. A
  * divider parts each cell that it enters from side to side, so its last pieces go on up
- * to the next line, or the next but one, see PlanDivider::through. */
+ * to the next line, or on, see PlanDivider::through. */
 class PlanCells {
 public:
   using Polygon = std::vector<Eigen::Vector2d>; ///< counter-clockwise

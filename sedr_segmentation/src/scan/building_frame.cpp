@@ -40,11 +40,13 @@ struct FramePoints {
   std::vector<Eigen::Vector2d> upright; ///< some of them, in plan
 };
 
-/** @brief Removes points that are a hundred times as far from the middle of all as most
- * are: a few strays would make the counts along an axis kilometres long. */
+/** @brief Removes strays, points much farther from the middle of all than most are: few
+ * of them would make the counts along an axis kilometres long. */
 void
-dropFarOnes(const PointView& points, std::vector<int>& indices)
+dropStrays(const PointView& points, std::vector<int>& indices)
 {
+  constexpr double most = 0.9;        // share of the points,
+  constexpr float much_farther = 100; // times as far as these
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
   const auto dropIf = [&](const auto& condition) {
     indices.erase(std::remove_if(indices.begin(), indices.end(), condition),
@@ -56,7 +58,8 @@ dropFarOnes(const PointView& points, std::vector<int>& indices)
   const auto valueOf = [&](double share, const auto& value) {
     std::vector<float> values(indices.size());
     std::transform(indices.begin(), indices.end(), values.begin(), value);
-    const auto k = static_cast<std::ptrdiff_t>(share * (values.size() - 1));
+    const auto k =
+        static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + k, values.end());
     return values[static_cast<std::size_t>(k)];
   };
@@ -64,7 +67,7 @@ dropFarOnes(const PointView& points, std::vector<int>& indices)
   for (int axis = 0; axis < 3; ++axis)
     middle[axis] = valueOf(0.5, [&](int i) { return at(i)[axis]; });
   const auto distance = [&](int i) { return (at(i) - middle).norm(); };
-  const float farthest = 100 * valueOf(0.9, distance);
+  const float farthest = much_farther * valueOf(most, distance);
   dropIf([&](int i) { return distance(i) > farthest; });
 }
 
@@ -280,7 +283,7 @@ findBuildingFrame(const PointView& points,
     indices.resize(points.size());
     std::iota(indices.begin(), indices.end(), 0);
   }
-  dropFarOnes(points, indices);
+  dropStrays(points, indices);
   FramePoints found = framePoints(points, indices, level, threads);
   BuildingFrame frame;
   frame.rotation = level;

@@ -124,6 +124,15 @@ TEST(PlanCells, LinesGoOnBetweenTheFacesOfAWallThatEndsBeforeThem)
   }
 }
 
+TEST(PlanCells, ALineThatEndsJustBeyondAnotherEndsAtIt)
+{
+  for (const double beyond : {-0.001, 0.0, 0.001, 0.015, 0.05}) {
+    const PlanCells cells({Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 10)},
+                          {{{5, 0}, {5, 10}, 0, 0}, {{0, 8}, {5 + beyond, 8}, 1, 0.6}});
+    EXPECT_EQ(cells.polygons().size(), beyond > 0.02 ? 4U : 3U) << beyond;
+  }
+}
+
 TEST(LabelLoops, RoomsThatTouchAtACornerAreSimple)
 {
   std::vector<PlanDivider> dividers;
