@@ -194,16 +194,18 @@ TEST(PlanEditor, AJogANotchAndABayAreRemoved)
 
 TEST(PlanEditor, WallsThatBecomeOneAreConfirmedIfBothWere)
 {
-  Floorplan plan = planOf({polygon(
-      {{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 3.2}, {2, 3.2}, {2, 3.4}, {0, 3.4}})});
-  for (PlanElement& wall : plan.rooms[0].boundary.elements)
-    wall.is_confirmed = true;
-  PlanEditor editor(plan);
-  ASSERT_TRUE(done(editor.removeJog(1, 4), editor)); // x = 4
-  const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
-  ASSERT_EQ(walls.size(), 6u);
-  EXPECT_FALSE(walls[2].is_confirmed) << "a part of it was moved";
-  EXPECT_TRUE(walls[0].is_confirmed);
+  for (const double x : {4.5, 3.5}) { // the wall before the jog is shorter, or longer
+    Floorplan plan = planOf({polygon(
+        {{0, 0}, {6, 0}, {6, 3}, {x, 3}, {x, 3.2}, {2, 3.2}, {2, 3.4}, {0, 3.4}})});
+    for (PlanElement& wall : plan.rooms[0].boundary.elements)
+      wall.is_confirmed = true;
+    PlanEditor editor(plan);
+    ASSERT_TRUE(done(editor.removeJog(1, 4), editor));
+    const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
+    ASSERT_EQ(walls.size(), 6u);
+    EXPECT_FALSE(walls[2].is_confirmed) << "a part of it was moved";
+    EXPECT_TRUE(walls[0].is_confirmed);
+  }
 }
 
 TEST(PlanEditor, AMovedOpeningIsNotConfirmedAnyMore)

@@ -66,8 +66,10 @@ struct CutSolid {
     if (warning.empty())
       EXPECT_TRUE(extrusion.getWarnings().empty())
           << sentenceOf(extrusion.getWarnings().front());
-    else
+    else {
+      ASSERT_FALSE(extrusion.getWarnings().empty()) << "without " << warning;
       EXPECT_EQ(sentenceOf(extrusion.getWarnings().back()), warning);
+    }
   }
 
   Extrusion extrusion;
