@@ -54,6 +54,10 @@ ajarDoor()
   door.confidence = 0.9;
   door.residual = 0.003;
   door.deviation_95 = 0.007;
+  door.edges = {{{pcl::sedr::EdgeSeen::Nothing, 0}, // the list is told all the same
+                 {pcl::sedr::EdgeSeen::Reveal, 0.003},
+                 {pcl::sedr::EdgeSeen::Rim, 0.01},
+                 {pcl::sedr::EdgeSeen::Leaf, 0.02}}};
   return door;
 }
 

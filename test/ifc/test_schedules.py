@@ -220,7 +220,9 @@ class InClosedForm(FilesAgree, unittest.TestCase):
         cell["boundary"][0]["accuracy"] = {"standard_error": 0.001, "deviation_95": 0.02}
         cell["floor"]["accuracy"] = {"standard_error": 0.003, "deviation_95": 0.06}
         cls.plan["openings"][0].update(residual=0.002, deviation_95=0.006)
-        cls.plan["openings"][1].update(residual=0.02)  # nothing shows its edges
+        cls.plan["openings"][0]["edges"] = [{"seen": seen, "error": error} for seen, error in
+                                            (("reveal", 0.001), ("rim", 0.002), ("nothing", 0), ("reveal", 0.001))]
+        cls.plan["openings"][1].update(residual=0.02, depth=0.32, walls=[{"room": 1, "element": 0}])  # nothing shows its edges
         path = write(IFC, cls.plan, folder.name, "--schedules", folder.name)
         cls.read(path, folder.name, os.path.join(folder.name, "model.json"), [storey["name"] for storey in cls.plan["storeys"]])
 
@@ -263,6 +265,12 @@ class InClosedForm(FilesAgree, unittest.TestCase):
         self.assertEqual(set(rows), {"D1", "W1", "W2"})
         self.assertEqual((rows["D1"]["leaf"], rows["D1"]["opens_into"], rows["W1"]["to_room"]), ("left", "1", "outside"))
         self.assertEqual((rows["W1"]["sill_m"], rows["W1"]["head_m"]), ("0.900", "2.100"))
+        self.assertEqual((rows["D1"]["width_is"], rows["D1"]["width_error_mm"]), ("between rims", "2.2"))
+        self.assertEqual((rows["W1"]["width_is"], rows["W1"]["width_error_mm"]), ("", ""))
+        told = {v[7]: self.properties[number] for kind in ("IFCDOOR", "IFCWINDOW") for number, v in self.things(kind).items()}
+        self.assertEqual(told["D1"]["WidthIs"], "between rims")
+        self.assertAlmostEqual(told["D1"]["WidthError"], math.hypot(0.001, 0.002), 9)
+        self.assertTrue({"WidthIs", "WidthError"}.isdisjoint(told["W1"]))
 
     def test_walls(self):
         rows = {row["number"]: row for row in self.tables["walls"]}
@@ -271,8 +279,15 @@ class InClosedForm(FilesAgree, unittest.TestCase):
         self.assertAlmostEqual(float(window["gross_area_m2"]), 6 * 3, 3)
         self.assertAlmostEqual(float(window["net_area_m2"]), 6 * 3 - 1.2, 3)
         self.assertAlmostEqual(float(inner["gross_area_m2"]) - float(inner["net_area_m2"]), 0.9 * 2.05, 3)
-        self.assertEqual((inner["thickness_m"], inner["thickness_known_by"], inner["other_face"]), ("0.100", "faces", "2.1"))
-        self.assertEqual((inner["thickness_is"], window["thickness_is"], window["thickness_known_by"]), ("measured", "assumed", "assumed"))
+        self.assertEqual((inner["thickness_m"], inner["thickness_is"], inner["other_face"]), ("0.100", "measured", "2.1"))
+        # As deep as the reveal of its window, as is the usual outer wall of its storey; none is known above.
+        for number, thickness, claim in (("1.1", "0.320", "at least"), ("3.2", "0.320", "at least"), ("4.3", "0.200", "assumed")):
+            self.assertEqual((rows[number]["thickness_m"], rows[number]["thickness_is"]), (thickness, claim), number)
+        walls = {v[7]: self.properties[number] for number, v in self.things("IFCWALL").items()}
+        for row in self.tables["walls"]:
+            told = walls[row["number"]]
+            self.assertEqual(told["ThicknessIs"], row["thickness_is"])
+            self.assertEqual(told["ThicknessAssumed"] == "T", row["thickness_is"] == "assumed", told)
         self.assertAlmostEqual(float(rows["5.1"]["length_m"]), 6 * math.pi, 3)
 
 

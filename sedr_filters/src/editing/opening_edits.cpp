@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 namespace pcl::sedr {
@@ -82,6 +83,7 @@ change(const Floorplan& plan, const OpeningChange& to, PlanOpening& opening)
   opening.top = opening.bottom + height;
   opening.rise = std::min(opening.rise, height);
   opening.confidence = 1;
+  opening.is_confirmed = false;
   if (to.width || to.height || to.sill)
     opening.forgetAccuracy();
   if (kind != OpeningKind::Door) {
@@ -185,20 +187,24 @@ PlanEditor::setOpening(const std::string& number, const OpeningChange& to)
 bool
 PlanEditor::confirm(const std::string& number)
 {
-  return apply([&](Floorplan& plan) -> std::string {
+  const auto confirmIt = [&](auto& thing) -> std::string {
+    thing.is_confirmed = true;
     sentence_ = number + " is confirmed";
-    for (PlanRoom& room : plan.rooms)
-      for (std::size_t w = 0; w < room.boundary.elements.size(); ++w)
-        if (number == std::to_string(room.id) + "." + std::to_string(w + 1)) {
-          room.boundary.elements[w].is_confirmed = true;
-          return {};
-        }
+    return {};
+  };
+  unsigned room = 0;
+  unsigned wall = 0;
+  int length = 0;
+  if (std::sscanf(number.c_str(), "%9u.%9u%n", &room, &wall, &length) == 2 &&
+      static_cast<std::size_t>(length) == number.size())
+    return apply(room, wall, [&](Floorplan&, PlanRoom& of, std::size_t w) {
+      return confirmIt(of.boundary.elements[w]);
+    });
+  return apply([&](Floorplan& plan) {
     for (PlanOpening& opening : plan.openings)
-      if (markOf(opening) == number) {
-        opening.is_confirmed = true;
-        return {};
-      }
-    return "there is no wall or opening " + number;
+      if (markOf(opening) == number)
+        return confirmIt(opening);
+    return lacksOpening(plan, number);
   });
 }
 

@@ -263,6 +263,7 @@ simplify(PlanLoop& loop, const std::vector<Eigen::Vector2d>& loose)
     next.inliers += e[k].inliers;
     next.residual = std::max(next.residual, e[k].residual);
     next.accuracy = worse(next.accuracy, e[k].accuracy);
+    next.is_confirmed = next.is_confirmed && e[k].is_confirmed;
     next.start = e[k].start;
     e.erase(e.begin() + static_cast<std::ptrdiff_t>(k));
   }

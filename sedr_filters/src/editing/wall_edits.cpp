@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -56,6 +57,7 @@ struct WallMotion {
   double turn = 0;     ///< radians
   double distance = 0; ///< metres
 
+  bool isNone() const { return turn == 0 && distance == 0; }
   Eigen::Affine2d of(const PlanElement& wall, double share = 1) const
   {
     const Eigen::Vector2d middle = (wall.start + wall.end) / 2;
@@ -82,10 +84,13 @@ moveWalls(Floorplan& plan, PlanRoom& room, const std::vector<WallMotion>& motion
       if (in.room != room.id)
         continue;
       const WallMotion& motion = motions[in.element];
+      if (motion.isNone())
+        continue;
       const bool has_other = opening.walls.size() > 1; // it stays
       const Eigen::Affine2d to = motion.of(lines[in.element], has_other ? 0.5 : 1);
       opening.start = to * opening.start;
       opening.end = to * opening.end;
+      opening.is_confirmed = false;
       opening.depth = std::max(opening.depth - (has_other ? motion.distance : 0), 0.0);
     }
   for (std::size_t w = 0; w < lines.size(); ++w) {
@@ -94,7 +99,7 @@ moveWalls(Floorplan& plan, PlanRoom& room, const std::vector<WallMotion>& motion
         std::abs(motion.distance) + std::abs(motion.turn) * lines[w].length() / 2;
     if (off > std::max(touching, motion.turn == 0 ? 0 : lines[w].residual))
       setByHand(plan, lines[w]);
-    if (motion.turn != 0 || motion.distance != 0)
+    if (!motion.isNone())
       move(lines[w], motion.of(lines[w]));
   }
   return meetAgain(lines, room.boundary);
@@ -267,6 +272,17 @@ crossingProblem(const PlanRoom& before, const PlanRoom& room)
                     -clear.least, clear.lowest.x(), clear.lowest.y());
 }
 
+/** @brief Forgets how well an opening is known, but for its other edges. */
+void
+forgetEdges(PlanOpening& opening, std::initializer_list<std::size_t> edges)
+{
+  const auto before = opening.edges;
+  opening.forgetAccuracy();
+  opening.edges = before;
+  for (const std::size_t k : edges)
+    opening.edges[k] = {};
+}
+
 /** @brief Returns a sentence, "the floor of room 3 is at z 0.100 m, it was at 0.000".
  */
 std::string
@@ -290,7 +306,7 @@ PlanEditor::setFloor(std::uint32_t room, double z)
       if (std::count(opening.rooms.begin(), opening.rooms.end(), room) > 0 &&
           std::abs(opening.bottom - heights.low) < on_floor) {
         opening.bottom = z;
-        opening.forgetAccuracy();
+        forgetEdges(opening, {2});
       }
     const auto isOnIt = [&](std::uint32_t id, double foot) {
       return id == room && std::abs(foot - heights.low) < on_floor;
@@ -346,7 +362,7 @@ PlanEditor::setStorey(std::uint32_t number, double z)
       if (isOf(opening.rooms[opening.rooms[0] == 0 ? 1 : 0])) {
         opening.bottom += by;
         opening.top += by;
-        opening.forgetAccuracy();
+        forgetEdges(opening, {2, 3});
       }
     if (!moveStairs(
             plan, [&](auto room, double) { return isOf(room); }, by))

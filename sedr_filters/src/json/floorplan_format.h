@@ -96,6 +96,9 @@ public:
   void
   whole(const char* name, std::uint32_t& value, std::uint32_t least, const char* what);
 
+  /** @brief How the edges of an opening were seen. */
+  void edges(std::array<OpeningEdge, 4>& edges);
+
   /** @brief The ids of the rooms of a storey. */
   void rooms(std::vector<std::uint32_t>& ids);
 

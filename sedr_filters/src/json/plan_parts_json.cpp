@@ -38,6 +38,20 @@ PartFields::whole(const char* name,
 }
 
 void
+PartFields::edges(std::array<OpeningEdge, 4>& edges)
+{
+  const auto isKnown = [](const OpeningEdge& edge) {
+    return edge.error > 0 || edge.seen != EdgeSeen::Nothing;
+  };
+  if (areRead() && in_->contains("edges"))
+    if (const Json& list = in_->at("edges"); !list.is_array() || list.size() != 4)
+      throw std::invalid_argument(
+          "an opening has 4 edges, not " +
+          (list.is_array() ? std::to_string(list.size()) : list.dump()));
+  optional("edges", edges, std::any_of(edges.begin(), edges.end(), isKnown));
+}
+
+void
 PartFields::rooms(std::vector<std::uint32_t>& ids)
 {
   told("rooms", ids);
@@ -70,21 +84,24 @@ constexpr std::array<const char*, 4> states{"unknown", "closed", "ajar", "open"}
 constexpr std::array<const char*, 4> edges_seen{"nothing", "leaf", "rim", "reveal"};
 constexpr std::array<const char*, 3> curves{"cylinder", "ellipsoid", "relief"};
 
-/** @brief A property of an opening with names. */
+/** @brief A property of an opening with names, or of an edge of one.
+ * @param refusal of another name */
 template <typename Enum>
 void
 describeName(PartFields& fields,
              const char* what,
              const std::array<const char*, 4>& names,
-             Enum& value)
+             Enum& value,
+             const std::string& refusal = {})
 {
   std::string name = names[static_cast<std::size_t>(value)];
   fields.optional(what, name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
     throw std::invalid_argument(
-        std::string("the ") + what +
-        " of an opening is not known: " + nlohmann::json(name).dump());
+        (refusal.empty() ? std::string("the ") + what + " of an opening is not known:"
+                         : refusal) +
+        " " + nlohmann::json(name).dump());
   value = static_cast<Enum>(found - names.begin());
 }
 
@@ -241,7 +258,8 @@ describe(PartFields& fields, OpeningWall& wall)
 void
 describe(PartFields& fields, OpeningEdge& edge)
 {
-  describeName(fields, "seen", edges_seen, edge.seen);
+  describeName(fields, "seen", edges_seen, edge.seen,
+               "an edge of an opening is seen by nothing, leaf, rim or reveal, not by");
   fields.optional("error", edge.error);
 }
 
@@ -270,7 +288,7 @@ describe(PartFields& fields, PlanOpening& opening)
   fields.optional("confidence", opening.confidence);
   fields.optional("residual", opening.residual);
   fields.optional("deviation_95", opening.deviation_95, opening.deviation_95 > 0);
-  fields.optional("edges", opening.edges, opening.edges[0].error > 0);
+  fields.edges(opening.edges);
   fields.optional("confirmed", opening.is_confirmed, opening.is_confirmed);
 }
 

@@ -233,7 +233,7 @@ fitEdge(const WallMap& map,
   const double strip = map.tolerance() + opening_numbers.reveal_strip;
   const auto last = std::find(closed.rbegin(), closed.rend(), true);
   std::optional<EdgeFit> found = revealOf(map, edge, closed, strip, sizes);
-  if (!found) // it may lie behind what closes the opening
+  if (!found && last != closed.rend()) // it may lie behind what closes the opening
     found = revealOf(map, edge, closed,
                      strip + opening_numbers.edge_bin *
                                  static_cast<double>(closed.rend() - last),

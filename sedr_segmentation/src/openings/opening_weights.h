@@ -60,7 +60,8 @@ struct OpeningNumbers {
   double edge_bin = 0.01;      ///< of positions of an edge, metres
   double reveal_strip = 0.15;  ///< of a reveal behind the face, before frames, metres
   double min_reveal = 0.35;    ///< share of the length of an edge that shows its reveal
-  double sure_reveal = 0.5;    ///< likewise, where nothing else may be one
+  double sure_reveal = 0.5;    ///< likewise, from which on a reveal is as exact as its
+                               ///< points, and a depth that shows as much is closed
   double end_error = 0.015;    ///< of edges that no such reveal shows, metres: of 540
                                ///< of simulated scans 98 % were within twice that
   double unseen_error = 0.07;  ///< of edges that nothing shows; likewise 90 % of 159

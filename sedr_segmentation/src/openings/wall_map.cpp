@@ -126,11 +126,14 @@ bool
 WallMap::reachesCeiling(double along, double distance) const
 {
   const auto c = static_cast<std::size_t>(std::max(0.0, along) / cell_);
-  for (std::size_t r = rows_; c < columns_ && r-- > 0;)
-    if (heightOf(r + 1) > ceilings_[c] - distance &&
-        cells_[c * rows_ + r] == WallCell::Seen)
-      return true;
-  return false;
+  if (c >= columns_)
+    return false;
+  const double low = std::max(0.0, ceilings_[c] - distance - base_) / cell_;
+  const auto first = std::min(static_cast<std::size_t>(low), rows_);
+  const auto column = cells_.begin() + static_cast<std::ptrdiff_t>(c * rows_);
+  const auto end = column + static_cast<std::ptrdiff_t>(rows_);
+  return std::find(column + static_cast<std::ptrdiff_t>(first), end, WallCell::Seen) !=
+         end;
 }
 
 /** @brief Moves the points so that those of the face have offset 0, and estimates their

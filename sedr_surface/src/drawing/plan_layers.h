@@ -65,7 +65,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 inline const std::array<LayerStyle, 22> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-EXTR", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
-     {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
+     {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {0.6, 1}}, 0x9a9a9a},
      {"A-COLS", 1, false, {no_colour, ink, 0.35}, 0x444444},
      {"A-WALL-NICH", 6, false, {no_colour, 0x333333, 0.3}, ink},
      {"A-DOOR", 4, false, {no_colour, ink, 0.25}, 0x444444},

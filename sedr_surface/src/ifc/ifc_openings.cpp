@@ -243,6 +243,11 @@ describe(IfcDocument& document,
       {"Confidence", shareProperty(opening.confidence)},
       {"SillHeight",
        typed("IFCLENGTHMEASURE", rounded(sillOf(document.plan, opening)))}};
+  if (const std::string claim = widthIs(opening); !claim.empty())
+    properties.emplace_back("WidthIs", typed("IFCLABEL", claim));
+  if (opening.widthError() > 0)
+    properties.emplace_back("WidthError",
+                            typed("IFCLENGTHMEASURE", opening.widthError()));
   appendAccuracy(accuracyOf(opening), properties);
   document.addProperties(filling, mark, "Pset_SEDR", properties);
 }

@@ -64,19 +64,25 @@ accuracyOf(const Floorplan& plan, const PlanWall& wall)
   return wall.other ? worse(of(wall.face), of(*wall.other)) : of(wall.face);
 }
 
+/** @brief Returns what its thickness is: reveals end at a pane or at the outer face. */
+const char*
+thicknessIs(const PlanWall& wall)
+{
+  if (wall.isAssumed())
+    return "assumed";
+  return wall.source == ThicknessSource::Faces ? "measured" : "at least";
+}
+
 WallRow
 rowOf(const IfcDocument& document, const WrittenWall& written)
 {
-  constexpr const char* sources[] = {"faces", "reveals", "storey", "assumed"};
-  constexpr const char* claims[] = {"measured", "at least", "assumed", "assumed"};
   const PlanWall& wall = written.wall;
   WallRow row{written.number,
               wall.other ? numberOf(document.plan, *wall.other) : "",
               document.storeys[written.storey].storey.name,
               written.is_external,
               wall.thickness,
-              sources[static_cast<std::size_t>(wall.source)],
-              claims[static_cast<std::size_t>(wall.source)],
+              thicknessIs(wall),
               wall.stretch.length(),
               written.top() - written.bottom()};
   WallBody upright = written;
@@ -109,9 +115,12 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
                           {"AREA", "NetSideArea", row.net_area},
                           {"VOLUME", "GrossVolume", row.gross_volume},
                           {"VOLUME", "NetVolume", row.net_volume}});
-  const std::string type = std::string(row.is_external ? "Outer wall " : "Wall ") +
+  // "Outer wall at least 0.31", "Wall 0.20 assumed"
+  const std::string claim = row.thickness_is;
+  const std::string type = (row.is_external ? "Outer wall " : "Wall ") +
+                           (claim == "at least" ? claim + " " : "") +
                            decimalText(row.thickness, 2) +
-                           (wall.other ? "" : " " + row.thickness_is);
+                           (wall.isAssumed() ? " " + claim : "");
   document.addToType("IFCWALLTYPE", type, written.ref, {symbol("NOTDEFINED")});
   document.addProperties(
       written.ref, written.name, "Pset_WallCommon",
@@ -119,7 +128,6 @@ describe(IfcDocument& document, const WrittenWall& written, const WallRow& row)
        {"IsExternal", typed("IFCBOOLEAN", logical(row.is_external))}});
   std::vector<Property> properties{
       {"ThicknessAssumed", typed("IFCBOOLEAN", logical(wall.isAssumed()))},
-      {"ThicknessKnownBy", typed("IFCLABEL", row.known_by)},
       {"ThicknessIs", typed("IFCLABEL", row.thickness_is)},
       {"Face", typed("IFCTEXT", faceName(document.plan, wall.face))},
       {"Residual", typed("IFCLENGTHMEASURE", face.residual)},

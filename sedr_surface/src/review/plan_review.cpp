@@ -19,7 +19,7 @@ namespace {
 
 constexpr double sure = 0.9;             // probability of what is not doubted
 constexpr std::size_t measured_sign = 1; // see wallSigns()
-constexpr std::size_t error_sign = 3, faces_sign = 4;
+constexpr std::size_t error_sign = 3;
 constexpr double same_place = 1; // metres
 constexpr double little = 0.02;  // share of walls and floors, after the checks
 constexpr double too_much = 0.1; // likewise, of all that a new scan settles
@@ -48,20 +48,22 @@ reasonOf(const PlanElement& wall, const std::vector<double>& signs)
               ? ", with a standard error of " +
                     decimalText(1000 * accuracy.standard_error, 1) + " mm"
               : ", its standard error is not known") +
-         (std::exp(signs[error_sign]) > 2 ? ", more than twice the usual" : "") +
-         (signs[faces_sign] > 0 ? "" : ", its other face was not seen");
+         (std::exp(signs[error_sign]) > 2 ? ", more than twice the usual" : "");
 }
 
 /** @brief Returns why an opening is not sure. */
 std::string
 reasonOf(const PlanOpening& opening)
 {
-  std::string reason = "it is " + decimalText(opening.width(), 2) +
-                       " m wide with a standard error of " +
-                       decimalText(100 * opening.widthError(), 1) + " cm";
-  if (opening.jambsSeen() == EdgeSeen::Nothing)
+  const double error = opening.widthError(); // of plans written before there is none
+  std::string reason = error > 0 ? "it is " + decimalText(opening.width(), 2) +
+                                       " m wide with a standard error of " +
+                                       decimalText(100 * error, 1) + " cm"
+                                 : "its edges are known to " +
+                                       decimalText(100 * opening.residual, 1) + " cm";
+  if (error > 0 && opening.jambsSeen() == EdgeSeen::Nothing)
     reason += ", a jamb was not seen";
-  else if (opening.jambsSeen() != EdgeSeen::Reveal)
+  else if (error > 0 && opening.jambsSeen() != EdgeSeen::Reveal)
     reason += ", of a jamb only the end of wall or leaf was seen";
   if (opening.kind != OpeningKind::Window && opening.leadsOutside())
     reason += ", no room was seen beyond";
@@ -88,6 +90,15 @@ areaOf(const Floorplan& plan)
   for (const PlanRoom& room : plan.rooms)
     area += room.area();
   return area;
+}
+
+/** @brief Checks whether somebody confirmed the wall that a warning is about. */
+bool
+isConfirmed(const Floorplan& plan, const PlanWarning& warning)
+{
+  const PlanRoom* const room = findRoom(plan, warning.room);
+  return room && warning.wall > 0 && warning.wall <= room->boundary.elements.size() &&
+         room->boundary.elements[warning.wall - 1].is_confirmed;
 }
 
 /** @brief Gathers the doubts of a plan, one a place. */
@@ -349,14 +360,6 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
   review.doubts = doubts.sorted();
   judge(plan, review);
   return review;
-}
-
-bool
-isConfirmed(const Floorplan& plan, const PlanWarning& warning)
-{
-  const PlanRoom* const room = findRoom(plan, warning.room);
-  return room && warning.wall > 0 && warning.wall <= room->boundary.elements.size() &&
-         room->boundary.elements[warning.wall - 1].is_confirmed;
 }
 
 std::vector<std::string>

@@ -125,7 +125,6 @@ const std::vector<Column<WallRow>> wall_columns{
      [](const WallRow& w) { return std::string(w.is_external ? "yes" : "no"); }},
     {"thickness_m", [](const WallRow& w) { return measure(w.thickness); }},
     {"thickness_is", [](const WallRow& w) { return w.thickness_is; }},
-    {"thickness_known_by", [](const WallRow& w) { return w.known_by; }},
     {"length_m", [](const WallRow& w) { return measure(w.length); }},
     {"height_m", [](const WallRow& w) { return measure(w.height); }},
     {"gross_area_m2", [](const WallRow& w) { return measure(w.gross_area); }},

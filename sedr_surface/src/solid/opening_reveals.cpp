@@ -83,6 +83,21 @@ private:
   std::optional<Eigen::Vector2d> centre_; ///< of a curved wall
 };
 
+/** @brief Checks whether an opening is in another room at a distance from the middle of
+ * its wall. */
+bool
+isInOtherRoom(const Floorplan& plan,
+              const PlanRoom& own,
+              const OpeningFrame& frame,
+              double off)
+{
+  return std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+    return room.id != own.id && shareHeights(room, own) &&
+           (room.contains(frame.at(0, off)) || room.contains(frame.at(0.5, off)) ||
+            room.contains(frame.at(1, off)));
+  });
+}
+
 /** @brief Returns the far end of an opening to the outside, before any other room. */
 double
 outerEnd(const Floorplan& plan,
@@ -91,14 +106,7 @@ outerEnd(const Floorplan& plan,
          double depth)
 {
   double far = -depth / 2;
-  const auto isInRoom = [&](double off) {
-    return std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
-      return room.id != own.id && shareHeights(room, own) &&
-             (room.contains(frame.at(0, off)) || room.contains(frame.at(0.5, off)) ||
-              room.contains(frame.at(1, off)));
-    });
-  };
-  while (far < depth / 2 && isInRoom(far))
+  while (far < depth / 2 && isInOtherRoom(plan, own, frame, far))
     far += step;
   return far;
 }
@@ -239,9 +247,13 @@ RevealedPlan::RevealedPlan(const Floorplan& plan)
       const OpeningFrame frame(plan, opening, side.is_left);
       double far = is_joined ? (side.is_left ? middle : -middle)
                              : outerEnd(plan, room, frame, opening.depth);
-      if (!is_joined && side.nearest - far < min_depth &&
-          side.nearest + most_beside > -opening.depth / 2 + step)
-        far = side.nearest - pane_depth;
+      // A room that is drawn to the pane of a window ends there: the opening is cut
+      // beyond it, but never into the room behind.
+      const double pane = side.nearest - pane_depth;
+      if (opening.leadsOutside() && side.nearest - far < min_depth &&
+          side.nearest + most_beside > -opening.depth / 2 + step &&
+          !isInOtherRoom(plan, room, frame, pane))
+        far = pane;
       // The plan may have a niche as deep as the wall, or a room that goes on through
       // the opening.
       const bool is_through = side.nearest - far < min_depth;

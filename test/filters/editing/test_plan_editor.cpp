@@ -204,6 +204,7 @@ TEST(EditRefusals, AMovedStoreyWasNotMeasured)
   Floorplan plan = twoRooms();
   plan.rooms[1].floor = slabAt(-0.2); // a pit: 12 m2 of 18 are at 0
   plan.openings[0].residual = plan.openings[0].deviation_95 = 0.01;
+  plan.openings[0].edges.fill({EdgeSeen::Reveal, 0.01});
   PlanRoom& room = plan.rooms[0];
   room.details = {{rectangle(0, 0, 1, 3), {}, slabAt(2.4), false}};
   room.niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
@@ -230,6 +231,16 @@ TEST(EditRefusals, AMovedStoreyWasNotMeasured)
       << "walls stay where they are";
   EXPECT_EQ(editor.getFloorplan().openings[0].residual, 0);
   EXPECT_EQ(editor.getFloorplan().openings[0].top, 3);
+  const auto& edges = editor.getFloorplan().openings[0].edges;
+  EXPECT_EQ(edges[0].error + edges[1].error, 0.02) << "jambs stay where they are";
+  EXPECT_EQ(edges[2].error + edges[3].error, 0);
+  plan.openings[0].bottom = 0;
+  PlanEditor floor(plan);
+  ASSERT_TRUE(done(floor.setFloor(1, 0.1), floor));
+  const auto& raised = floor.getFloorplan().openings[0].edges;
+  EXPECT_EQ(raised[2].error, 0);
+  for (const std::size_t k : {0, 1, 3})
+    EXPECT_EQ(raised[k].error, 0.01) << k;
 }
 
 TEST(PlanEditor, WhatIsConfirmedStaysSoUntilItIsEdited)
@@ -249,7 +260,16 @@ TEST(PlanEditor, WhatIsConfirmedStaysSoUntilItIsEdited)
   wider.width = 0.8;
   ASSERT_TRUE(done(again.setOpening(mark, wider), again));
   EXPECT_FALSE(again.getFloorplan().openings[0].is_confirmed);
-  EXPECT_EQ(refusal(again.confirm("W9"), again), "there is no wall or opening W9");
+  ASSERT_TRUE(done(again.confirm(mark), again));
+  OpeningChange leaf;
+  leaf.leaf = "left";
+  ASSERT_TRUE(done(again.setOpening(mark, leaf), again));
+  EXPECT_FALSE(again.getFloorplan().openings[0].is_confirmed);
+  EXPECT_EQ(refusal(again.confirm("W9"), again),
+            "the plan has no opening W9; there are: " + mark);
+  EXPECT_EQ(refusal(again.confirm("1.9"), again), "there is no wall 1.9: room 1 has 4");
+  EXPECT_EQ(refusal(again.confirm("1.2x"), again),
+            "the plan has no opening 1.2x; there are: " + mark);
 }
 
 TEST(EditRefusals, AJogIsNoDeeperThanAWall)

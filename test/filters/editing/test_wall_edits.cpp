@@ -192,6 +192,39 @@ TEST(PlanEditor, AJogANotchAndABayAreRemoved)
             "the end of a notch or bay");
 }
 
+TEST(PlanEditor, WallsThatBecomeOneAreConfirmedIfBothWere)
+{
+  for (const double x : {4.5, 3.5}) { // the wall before the jog is shorter, or longer
+    Floorplan plan = planOf({polygon(
+        {{0, 0}, {6, 0}, {6, 3}, {x, 3}, {x, 3.2}, {2, 3.2}, {2, 3.4}, {0, 3.4}})});
+    for (PlanElement& wall : plan.rooms[0].boundary.elements)
+      wall.is_confirmed = true;
+    PlanEditor editor(plan);
+    ASSERT_TRUE(done(editor.removeJog(1, 4), editor));
+    const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
+    ASSERT_EQ(walls.size(), 6u);
+    EXPECT_FALSE(walls[2].is_confirmed) << "a part of it was moved";
+    EXPECT_TRUE(walls[0].is_confirmed);
+  }
+}
+
+TEST(PlanEditor, AMovedOpeningIsNotConfirmedAnyMore)
+{
+  Floorplan plan = planOf({rectangle(0, 0, 6, 4)});
+  PlanOpening window{OpeningKind::Window, {1, 0}, {{1, 1}}, {6.1, 1}, {6.1, 2}, 1, 2};
+  window.depth = 0.2;
+  window.is_confirmed = true;
+  plan.openings = {window, window};
+  plan.openings[1].walls = {{1, 3}};
+  plan.openings[1].start = {-0.1, 2};
+  plan.openings[1].end = {-0.1, 1};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(done(editor.moveWall(1, 2, 0.3), editor)); // x = 6
+  EXPECT_FALSE(editor.getFloorplan().openings[0].is_confirmed);
+  EXPECT_TRUE(editor.getFloorplan().openings[1].is_confirmed)
+      << "its wall stays where it is";
+}
+
 TEST(PlanEditor, AJogBetweenWallsThatAreNotQuiteParallelIsRemovedToo)
 {
   PlanEditor editor(

@@ -4,9 +4,11 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -112,7 +114,40 @@ TEST(FloorplanJson, ReadsBackExactly)
   EXPECT_EQ(door.state, OpeningState::Ajar);
   EXPECT_EQ(door.confidence, 0.9);
   EXPECT_EQ(door.residual + door.deviation_95, 0.003 + 0.007);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(door.edges[k].seen, plan.openings[0].edges[k].seen) << k;
+    EXPECT_EQ(door.edges[k].error, plan.openings[0].edges[k].error) << k;
+  }
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
+}
+
+TEST(FloorplanJson, EdgesOfOpeningsAreFourOfKnownKinds)
+{
+  nlohmann::ordered_json json =
+      nlohmann::ordered_json::parse(floorplanToJson(samplePlan()));
+  nlohmann::ordered_json& edges = json["openings"][0]["edges"];
+  const auto problemWith = [&](const nlohmann::ordered_json& other) {
+    const nlohmann::ordered_json before = std::exchange(edges, other);
+    const std::string problem = problemOf(json.dump());
+    edges = before;
+    return problem;
+  };
+  nlohmann::ordered_json other = edges;
+  other.erase(3);
+  EXPECT_NE(problemWith(other).find("an opening has 4 edges, not 3"),
+            std::string::npos);
+  EXPECT_NE(problemWith("all").find("an opening has 4 edges, not \"all\""),
+            std::string::npos);
+  other = edges;
+  other.push_back(other[0]);
+  EXPECT_NE(problemWith(other).find("an opening has 4 edges, not 5"),
+            std::string::npos);
+  other = edges;
+  other[2]["seen"] = "glass";
+  EXPECT_NE(problemWith(other).find("an edge of an opening is seen by nothing, leaf, "
+                                    "rim or reveal, not by \"glass\""),
+            std::string::npos)
+      << problemWith(other);
 }
 
 TEST(PlanDocument, ReadsBackWhole)

@@ -116,6 +116,20 @@ TEST(PlanReview, WhatIsNotSureIsADoubtWithoutAWarning)
       << review.doubts[1].text;
 }
 
+TEST(PlanReview, OfAnOpeningWithoutEdgesItsResidualIsTold)
+{
+  Floorplan plan = measuredRoom(); // as plans were written before
+  plan.openings[0].residual = 0.013;
+  plan.openings[0].confidence = 0.6;
+  const PlanReview review = reviewOf(plan, {});
+  ASSERT_EQ(review.doubts.size(), 1u);
+  EXPECT_NE(review.doubts[0].text.find(
+                "sure: its edges are known to 1.3 cm, no room was seen beyond, its "
+                "kind is 60 % sure"),
+            std::string::npos)
+      << review.doubts[0].text;
+}
+
 TEST(PlanReview, WhatIsConfirmedIsNoDoubt)
 {
   Floorplan plan = measuredRoom();

@@ -66,8 +66,10 @@ struct CutSolid {
     if (warning.empty())
       EXPECT_TRUE(extrusion.getWarnings().empty())
           << sentenceOf(extrusion.getWarnings().front());
-    else
+    else {
+      ASSERT_FALSE(extrusion.getWarnings().empty()) << "without " << warning;
       EXPECT_EQ(sentenceOf(extrusion.getWarnings().back()), warning);
+    }
   }
 
   Extrusion extrusion;
@@ -220,6 +222,21 @@ TEST(CutOpenings, AreCutIntoThePaneThatAPlanWasDrawnTo)
   plan.openings[0].start.y() = plan.openings[0].end.y() = 0.6; // far within the room
   CutSolid(plan).expectSound(
       2, "of 2 openings 1 are closed in the solid, number 1 of floorplan.json");
+}
+
+TEST(CutOpenings, AreNotCutIntoThePaneOfAnotherRoom)
+{
+  Floorplan plan = wallOfTwoRooms();
+  plan.rooms.push_back(boxOf(3, 0, -3, 5, -0.01)); // right behind the pane
+  plan.openings = {openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)};
+  const CutSolid outside(plan);
+  outside.expectSound(
+      3, "of 1 openings 1 are closed in the solid, number 1 of floorplan.json");
+  plan.rooms.pop_back();
+  plan.openings[0].rooms = {1, 7}; // a room that the plan does not have
+  const CutSolid inside(plan);
+  inside.expectSound(
+      2, "of 1 openings 1 are closed in the solid, number 1 of floorplan.json");
 }
 
 TEST(CutOpenings, NeedNothingWhereARoomGoesOnThroughThem)

@@ -487,10 +487,21 @@ class OtherReportsInABrowser(BrowserCase):
         door = {"kind": "door", "number": 7, "rooms": [1, 2], "walls": [{"room": 1, "element": 1}, {"room": 2, "element": 3}],
                 "start": [4.1, 1], "end": [4.1, 2], "bottom": 0, "top": 2, "depth": 0.2, "hinge": "unknown", "state": "closed",
                 "confidence": 0.9, "residual": 0.01}
-        self.write("floorplan.json", {**sample_plan(), "openings": [door]})
+        without_edges = {**door, "number": 8, "start": [4.1, 2.2], "end": [4.1, 2.9]}
+        self.write("floorplan.json", {**sample_plan(), "openings": [door, without_edges]})
+        told = [{"number": "D8", "width_is": "", "width_error": 0.0}, {"number": "D7", "width_is": "between rims", "width_error": 0.0213}]
+        self.write("report.json", {**sample_report(), "openings": told})
+        self.make(*WITHOUT_MODEL)
+        browser = self.open()
+        row = self.row(browser, "openings", "D7")
+        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
+        self.assertEqual((row["width is"], row["its standard error, cm"]), ("between rims", "2.1"))
+        row = self.row(browser, "openings", "D8")
+        self.assertEqual((row["width is"], row["its standard error, cm"]), ("", ""))
+        self.write("report.json", sample_report())  # as it was written before
         self.make(*WITHOUT_MODEL)
         row = self.row(self.open(), "openings", "D7")
-        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
+        self.assertEqual((row["width is"], row["its standard error, cm"]), ("", ""))
 
     def test_schedules_have_units(self):
         rooms = {"columns": ["room", "area_m2", "area_above_2.0m_m2", "walls_measured_percent"], "rows": [["1", "11.750", "9.000", "38"]]}

@@ -372,11 +372,6 @@ editModel(const std::string& path, const EditPlan& edit)
   model.write("report.json" + ending, model.report_text);
   const Untouched untouched(before, document.plan);
   std::vector<PlanWarning> warnings = carriedWarnings(model.report, untouched, edits);
-  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
-                                [&](const PlanWarning& warning) {
-                                  return isConfirmed(document.plan, warning);
-                                }),
-                 warnings.end());
   std::vector<PlanWarning> of_files = model.extrusion.getWarnings();
   for (const RoomSolidReport& solid : model.extrusion.getReports())
     if (!solid.problem.empty())

@@ -181,6 +181,7 @@
   function openings(section) {
     const found = plan.openings || [], name = room => room ? 'room ' + room : 'outside';
     const markOf = door => door.number ? ({ door: 'D', window: 'W', passage: 'P' }[door.kind] || 'O') + door.number : '';
+    const told = door => (report.openings || []).find(row => row.number === markOf(door)) || {};
     const length = door => Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]);
     if (found.length)
       section.querySelector('.wide').append(table([['number', door => markOf(door)], ['kind', door => door.kind, 'word'],
@@ -190,7 +191,8 @@
         ['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)],
         ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2) + (door.rooms.includes(0) ? ' at least' : '')],
         ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
-        ['probability of kind', door => percent(door.confidence)], ['width is', door => door.width_is], ['its standard error, cm', door => number(100 * door.width_error, 1)]], found));
+        ['probability of kind', door => percent(door.confidence)], ['width is', door => told(door).width_is || ''],
+        ['its standard error, cm', door => told(door).width_error > 0 ? number(100 * told(door).width_error, 1) : '']], found));
     return found.length > 0;
   }
 

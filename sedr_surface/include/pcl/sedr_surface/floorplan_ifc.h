@@ -58,7 +58,6 @@ struct WallRow {
   std::string storey;
   bool is_external = false;
   double thickness = 0;
-  std::string known_by{};     ///< "faces", "reveals", "storey" or "assumed"
   std::string thickness_is{}; ///< "measured", "at least" or "assumed"
   double length = 0;
   double height = 0;     ///< the maximum

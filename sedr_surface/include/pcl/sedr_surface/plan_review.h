@@ -130,9 +130,6 @@ struct PlanReview {
  * @param warnings of the stages; what is unlikely in a building is added here */
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
 
-/** @brief Checks whether somebody confirmed the wall that a warning is about. */
-bool isConfirmed(const Floorplan& plan, const PlanWarning& warning);
-
 /** @brief Returns the texts of the first `most` doubts, and how many more there are.
  */
 std::vector<std::string> firstOf(const std::vector<PlanDoubt>& doubts,
