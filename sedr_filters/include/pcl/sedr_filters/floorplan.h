@@ -339,8 +339,9 @@ enum class OpeningHinge { Unknown, Start, End, Both };
 /** @brief Whether a leaf, sash or blind shuts an opening. */
 enum class OpeningState { Unknown, Closed, Ajar, Open };
 
-/** @brief What shows an edge of an opening: nothing, so that it may lie far off; the
- * end of a leaf or pane; the end of the wall's face; or the plane of its reveal. */
+/** @brief What shows an edge of an opening, from the worst to the best: nothing, so
+ * that it may lie far off; the end of a leaf or pane; the end of the wall's face; or
+ * the plane of its reveal. */
 enum class EdgeSeen { Nothing, Leaf, Rim, Reveal };
 
 /** @brief How an edge of an opening was seen. */
@@ -387,8 +388,12 @@ struct PlanOpening {
   double height() const { return top - bottom; }
   bool leadsOutside() const { return rooms[0] == 0 || rooms[1] == 0; }
   bool hasSeenReveals() const { return depth != unseen_reveal; }
-  /** @brief Returns the standard error of its width; 0: not known. */
-  double widthError() const { return std::hypot(edges[0].error, edges[1].error); }
+  /** @brief Returns the standard error of its width; 0: that of a jamb is not known. */
+  double widthError() const
+  {
+    const double errors[] = {edges[0].error, edges[1].error};
+    return std::min(errors[0], errors[1]) > 0 ? std::hypot(errors[0], errors[1]) : 0;
+  }
   /** @brief Returns what shows the worse one of its jambs. */
   EdgeSeen jambsSeen() const { return std::min(edges[0].seen, edges[1].seen); }
   /** @brief Forgets how well its edges are known, as they were edited. */
