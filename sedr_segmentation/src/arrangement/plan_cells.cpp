@@ -14,7 +14,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double thinnest = 0.002; // metres, of a cell
-constexpr double shortest = 0.02;  // metres within a cell of a divider that ends there
 constexpr double same_end = 1e-7;  // metres
 
 /** @brief Returns the way from a place in a convex polygon to its edge. */
@@ -83,7 +82,7 @@ PlanDivider
 PlanCells::throughOpenEnds(PlanDivider divider) const
 {
   const auto lengthen = [&](Eigen::Vector2d& end, const Eigen::Vector2d& way) {
-    Eigen::Vector2d p = end - shortest * way;
+    Eigen::Vector2d p = end - 10 * thinnest * way; // see partCell()
     const Cell* cell = &cellAt(p);
     double length = wayOut(cell->corners, p, way);
     do {
@@ -94,7 +93,7 @@ PlanCells::throughOpenEnds(PlanDivider divider) const
     } while (length > 0 && length < divider.through && isAtEdge(*cell));
   };
   const Eigen::Vector2d way = (divider.end - divider.start).normalized();
-  if (divider.through > 0 && (divider.end - divider.start).norm() > 2 * shortest) {
+  if (divider.through > 0 && (divider.end - divider.start).norm() > 20 * thinnest) {
     lengthen(divider.start, -way);
     lengthen(divider.end, way);
   }
@@ -164,7 +163,7 @@ PlanCells::partCell(std::size_t node, const PlanDivider& divider)
   const double length = (divider.end - divider.start).norm();
   const auto [first, last] = std::minmax(crossings[0], crossings[1]);
   const double inside = std::min(length, last) - std::max(0.0, first);
-  if (inside < std::min(shortest, last - first - same_end))
+  if (inside < std::min(10 * thinnest, last - first - same_end))
     return;
   for (Cell& part : parts) { // without edges of no length
     for (std::size_t i = 0; i < part.corners.size();) {

@@ -40,13 +40,11 @@ struct FramePoints {
   std::vector<Eigen::Vector2d> upright; ///< some of them, in plan
 };
 
-/** @brief Removes strays, points much farther from the middle of all than most are: few
- * of them would make the counts along an axis kilometres long. */
+/** @brief Removes strays, points a hundred times as far from the middle of all as half
+ * of them are: few would make the counts along an axis kilometres long. */
 void
 dropStrays(const PointView& points, std::vector<int>& indices)
 {
-  constexpr double most = 0.9;        // share of the points,
-  constexpr float much_farther = 100; // times as far as these
   const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
   const auto dropIf = [&](const auto& condition) {
     indices.erase(std::remove_if(indices.begin(), indices.end(), condition),
@@ -67,7 +65,7 @@ dropStrays(const PointView& points, std::vector<int>& indices)
   for (int axis = 0; axis < 3; ++axis)
     middle[axis] = valueOf(0.5, [&](int i) { return at(i)[axis]; });
   const auto distance = [&](int i) { return (at(i) - middle).norm(); };
-  const float farthest = much_farther * valueOf(most, distance);
+  const float farthest = 100 * valueOf(0.5, distance);
   dropIf([&](int i) { return distance(i) > farthest; });
 }
 

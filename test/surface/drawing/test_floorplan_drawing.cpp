@@ -109,7 +109,7 @@ TEST(FloorplanDrawing, OuterWallsHaveBothFaces)
   EXPECT_FALSE(holds(svgOf(plan), "thickness of the wall assumed"));
   EXPECT_TRUE(holds(dxfOf(plan), "8\nA-WALL-EXTR\n"));
   EXPECT_FALSE(holds(dxfOf(plan), "~1.00 x 1.00"));
-  plan.openings[0].edges[0] = {EdgeSeen::Rim, 0.015};
+  plan.openings[0].edges[0] = plan.openings[0].edges[1] = {EdgeSeen::Rim, 0.01};
   EXPECT_TRUE(holds(dxfOf(plan), "~1.00 x 1.00")) << "not known to a centimetre";
 }
 
