@@ -83,8 +83,8 @@ public:
   /** @brief Changes an opening, whose confidence is 1 then. */
   bool setOpening(const std::string& number, const OpeningChange& change);
 
-  /** @brief Tells that somebody looked at a wall ("3.12") or an opening ("D3") and it is
-   * right: it counts as sure, until it is edited. */
+  /** @brief Tells that somebody looked at a wall ("3.12") or an opening ("D3") and it
+   * is right: it counts as sure, until it is edited. */
   bool confirm(const std::string& number);
 
   /** @brief Takes an opening out: the wall is closed there. */
