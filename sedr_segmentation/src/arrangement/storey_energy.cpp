@@ -134,7 +134,8 @@ StoreyCosts::addAreas(const StoreyEvidence& evidence, const PlanCells& arrangeme
 }
 
 /** @brief Returns on which side of a place on a surface the room is that saw it: 1 to
- * the left, -1 to the right, 0 if that is unclear. */
+ * the left, -1 to the right, 0 if that is unclear, as where the ceiling ends before it:
+ * the blind of a window does not stand in the room. */
 int
 StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        std::uint32_t room,
@@ -155,7 +156,8 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
   };
   const auto beside = [&](int side) {
     const Air air = std::min(airAt(near[1] * side), airAt(near[2] * side));
-    return airAt(near[0] * side) == Air::Recess ? std::min(air, Air::Recess) : air;
+    const Air next = airAt(near[0] * side);
+    return next == Air::Recess || next == Air::None ? std::min(air, next) : air;
   };
   const Air to_left = beside(1);
   const Air to_right = beside(-1);

@@ -100,23 +100,22 @@ StoreyLine::box() const
   return {around.min() - margin, around.max() + margin};
 }
 
-LineEvidence::LineEvidence(const StoreyEvidence& storey)
+LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces)
     : storey_(storey)
+    , faces_(faces)
 {
   const auto near = [](const CellMask& cells) {
     return dilated(cells, 1.5); // cells: also across corners
   };
-  std::vector<Eigen::Vector2d> walls;
   std::vector<Eigen::Vector2d> parts;
   for (const std::size_t r : storey.storey.rooms) {
     const RoomCells& room = storey.cells[r];
-    walls.insert(walls.end(), room.wall_points.begin(), room.wall_points.end());
-    wall_rooms_.resize(walls.size(), static_cast<std::uint32_t>(r));
+    wall_rooms_.resize(wall_rooms_.size() + room.wall_points.size(),
+                       static_cast<std::uint32_t>(r));
     parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
-  walls_ = PlanPoints(walls, 2 * StoreyLine::bin);
   parts_ = PlanPoints(parts, 2 * StoreyLine::bin);
 }
 
@@ -151,8 +150,7 @@ LineEvidence::forEachOn(const StoreyLine& line,
           const Eigen::Vector2d& p = points.all()[i];
           const double d = line.curve.distance(p) / line.near;
           if (const double s = line.along(p); d < 1 && s >= line.from && s <= line.to)
-            visit(points.given(i),
-                  static_cast<std::size_t>((s - line.from) / StoreyLine::bin), s, d);
+            visit(i, static_cast<std::size_t>((s - line.from) / StoreyLine::bin), s, d);
         });
 }
 
@@ -165,8 +163,10 @@ LineEvidence::observe(StoreyLine& line) const
   line.seen.clear();
   line.edges.clear();
   std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
-  forEachOn(line, walls_, [&](std::size_t k, std::size_t i, double s, double d) {
-    std::vector<float>& seen = line.seen[wall_rooms_[k]];
+  forEachOn(line, faces_.points, [&](std::size_t k, std::size_t i, double s, double d) {
+    if (!faces_.places[k].mayLieOn(line.curve))
+      return;
+    std::vector<float>& seen = line.seen[wall_rooms_[faces_.points.given(k)]];
     seen.resize(bins, 0);
     seen[i] = std::max(seen[i], static_cast<float>(1 - d * d));
     ends[i] = {std::min(ends[i].first, s), std::max(ends[i].second, s)};

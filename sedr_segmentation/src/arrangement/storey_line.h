@@ -61,8 +61,9 @@ struct StoreyEvidence {
 /** @brief What the rooms of a storey saw, asked line by line. */
 class LineEvidence {
 public:
-  /** @brief O(cells of the storey + n log n of its points). */
-  explicit LineEvidence(const StoreyEvidence& storey);
+  /** @param faces RoomCells::wall_points of all rooms, one after the other. O(cells of
+   * the storey + n log n of its points). */
+  LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces);
 
   /** @brief Finds where each room saw the surface of a line. O(its length + points near
    * it). */
@@ -86,9 +87,9 @@ private:
   static bool isIn(const std::vector<CellMask>& masks, Cell cell);
 
   const StoreyEvidence& storey_;
-  PlanPoints walls_{{}, 1}; ///< RoomCells::wall_points of all rooms
-  std::vector<std::uint32_t> wall_rooms_;
-  PlanPoints parts_{{}, 1};      ///< RoomCells::part_points of all rooms
+  const FacePlaces& faces_;
+  std::vector<std::uint32_t> wall_rooms_; ///< by place as it was given
+  PlanPoints parts_{{}, 1};               ///< RoomCells::part_points of all rooms
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
   std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
 };

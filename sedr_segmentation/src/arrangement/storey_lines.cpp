@@ -89,7 +89,8 @@ storeyLines(const StoreyEvidence& storey)
     places.insert(places.end(), room.wall_points.begin(), room.wall_points.end());
     shares.insert(shares.end(), room.wall_shares.begin(), room.wall_shares.end());
   }
-  const FaceCurves faces = faceCurves(places, storey.radii, storey.threads, shares);
+  const FacePlaces on_faces(places, shares, storey.threads);
+  const FaceCurves faces = faceCurves(on_faces, storey.radii, storey.threads);
   StoreyLines storey_lines{{}, faces.certainty};
   std::vector<StoreyLine>& lines = storey_lines.lines;
   for (const FaceCurve& face : faces.curves) {
@@ -97,7 +98,7 @@ storeyLines(const StoreyEvidence& storey)
     static_cast<FaceCurve&>(line) = face;
     line.parameters = face.curve.isCircle() ? 3 : face.is_main ? 1 : 2;
   }
-  const LineEvidence evidence(storey);
+  const LineEvidence evidence(storey, on_faces);
   const auto forEachLine = [&](const auto& body) {
     parallelBlocks(lines.size(), 1, storey.threads,
                    [&](std::size_t k, std::size_t) { body(lines[k]); });

@@ -229,6 +229,13 @@ private:
         std::min(1.0, (__builtin_popcountll(filled) + above) / all));
   }
 
+  /** @brief Checks whether the surface of a cell may be a wall's: a level one, such as
+   * the soffit of a window, fills one bin. */
+  bool fillsBins(std::size_t at) const
+  {
+    return __builtin_popcount(columns_[at].below_top) > 1;
+  }
+
   /** @brief Takes the points of what reaches up to the ceiling. */
   void takePlaces()
   {
@@ -241,9 +248,9 @@ private:
     for (const WallPlace& place : places_) {
       if (endsBelow(place.cell))
         continue;
-      const CellMask& near = !place.is_top   ? near_pillar
-                             : place.is_wall ? beside_tall
-                                             : near_tall;
+      const CellMask& near = !place.is_top                            ? near_pillar
+                             : place.is_wall && fillsBins(place.cell) ? beside_tall
+                                                                      : near_tall;
       if (near.values()[place.cell]) {
         cells_.wall_points.push_back(place.at);
         cells_.wall_shares.push_back(shareAt(place.cell));

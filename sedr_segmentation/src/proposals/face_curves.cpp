@@ -58,9 +58,7 @@ private:
           std::hypot(near, step / 2), [&](std::size_t i) {
             const FacePlace& place = places_.places[i];
             const double d = found.curve.distance(place.at) / near;
-            if (d >= 1 ||
-                (!place.normal.isZero() &&
-                 std::abs(found.curve.tangentAt(place.at).dot(place.normal)) > 0.4))
+            if (d >= 1 || !place.mayLieOn(found.curve))
               return;
             explained.emplace_back(static_cast<std::uint32_t>(i),
                                    static_cast<float>(1 - d * d));
@@ -210,12 +208,8 @@ private:
 } // namespace
 
 FaceCurves
-faceCurves(const std::vector<Eigen::Vector2d>& given,
-           const RadiusRange& radii,
-           unsigned threads,
-           const std::vector<float>& shares)
+faceCurves(const FacePlaces& places, const RadiusRange& radii, unsigned threads)
 {
-  const FacePlaces places(given, shares, threads);
   return FaceChoice(places, radii, proposeFaces(places, radii, threads), threads)
       .best();
 }

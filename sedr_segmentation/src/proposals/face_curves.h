@@ -3,10 +3,6 @@
 
 #include "face_proposals.h"
 
-#include <Eigen/Core>
-
-#include <vector>
-
 namespace pcl::sedr {
 
 /** @brief What curves cost, and what they gain by the faces that they explain, nats: a
@@ -33,12 +29,9 @@ struct FaceCosts {
  * the offsets along main directions, and what is fitted to chains of neighbouring
  * places with steady normals; each grown as far as places go on. Of all these those are
  * kept that explain what no better one does, by more than their parameters cost
- * (greedily: what is explained is submodular). O(places x curves near them).
- * @param shares of the height of the room that were seen at each place, so that a
- * bulkhead tells less than the wall behind it; empty: all of it */
-FaceCurves faceCurves(const std::vector<Eigen::Vector2d>& places,
+ * (greedily: what is explained is submodular). O(places x curves near them). */
+FaceCurves faceCurves(const FacePlaces& places,
                       const RadiusRange& radii = {},
-                      unsigned threads = 1,
-                      const std::vector<float>& shares = {});
+                      unsigned threads = 1);
 
 } // namespace pcl::sedr

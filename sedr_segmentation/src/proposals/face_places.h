@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../curves/plan_curve.h"
 #include "../curves/plan_points.h"
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,12 @@ struct FacePlace {
   Eigen::Vector2d normal; ///< of the face there; zero if unknown, as at corners
   double length = 0;      ///< of the face that it stands for, metres
   double share = 1;       ///< of the height of the face that was seen there
+
+  /** @brief Checks whether its face runs along a curve, as far as that is known. */
+  bool mayLieOn(const PlanCurve& curve) const
+  {
+    return normal.isZero() || std::abs(curve.tangentAt(at).dot(normal)) < 0.4;
+  }
 };
 
 /** @brief Places on faces with the directions of these, and their noise. */

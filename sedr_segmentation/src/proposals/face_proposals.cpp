@@ -272,9 +272,7 @@ private:
         places_.points.forEachIndexWithin(
             p, std::hypot(near, FaceCurve::bin / 2), [&](std::size_t i) {
               const FacePlace& place = places_.places[i];
-              if (curve.distance(place.at) > near ||
-                  (!place.normal.isZero() &&
-                   std::abs(curve.tangentAt(place.at).dot(place.normal)) > 0.4))
+              if (curve.distance(place.at) > near || !place.mayLieOn(curve))
                 return;
               is_seen = true;
               support.push_back(place.at);

@@ -38,7 +38,7 @@ TEST(FaceCurves, OfSparseScansAreTheSame)
   for (const double spacing : {0.05, 0.1, 0.16})
     for (const double degrees : {0, 33}) {
       const FaceCurves found = pcl::sedr::faceCurves(
-          placesOn({placed(room, degrees, {1.013, -7.021})}, 0.003, spacing));
+          {placesOn({placed(room, degrees, {1.013, -7.021})}, 0.003, spacing), {}, 1});
       EXPECT_EQ(found.curves.size(), 6U) << spacing << " m, turned by " << degrees;
       double length = 0;
       for (const FaceCurve& face : found.curves)
@@ -57,7 +57,7 @@ TEST(FaceCurves, ATurnedFaceIsKeptInACleanRoomAndNotInAClutteredOne)
         placesOn({rectangle(0, 0, 6, 5), {{segment({2, 3.5}, {2.65, 3.96})}}}, 0.003);
     for (int k = 0; k < things; ++k)
       places.emplace_back(x(random), y(random));
-    return pcl::sedr::faceCurves(places).curves.size();
+    return pcl::sedr::faceCurves({places, {}, 1}).curves.size();
   };
   EXPECT_EQ(curvesWith(0), 5U);
   EXPECT_EQ(curvesWith(400), 4U);
@@ -73,7 +73,7 @@ TEST(FaceCurves, OfWhichLittleOfTheHeightWasSeenTellLittle)
   for (const auto& [share, curves] : {std::pair(1.F, 5U), std::pair(0.1F, 4U)}) {
     std::vector<float> shares(places.size(), share);
     std::fill_n(shares.begin(), walls, 1.F);
-    EXPECT_EQ(pcl::sedr::faceCurves(places, {}, 1, shares).curves.size(), curves)
+    EXPECT_EQ(pcl::sedr::faceCurves({places, shares, 1}).curves.size(), curves)
         << share;
   }
 }
@@ -87,7 +87,7 @@ TEST(FaceCurves, OfExactPlacesHaveRadiiThatMayBe)
       places.emplace_back(2 + s, 2);
       places.emplace_back(4 + s, 3 + s * s / 2);
     }
-    for (const FaceCurve& face : pcl::sedr::faceCurves(places).curves) {
+    for (const FaceCurve& face : pcl::sedr::faceCurves({places, {}, 1}).curves) {
       EXPECT_TRUE(face.curve.point.allFinite());
       EXPECT_LT(face.curve.radius, 25);
       EXPECT_LT(face.to - face.from, 2 * M_PI * 25);
