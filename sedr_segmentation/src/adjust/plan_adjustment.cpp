@@ -192,52 +192,19 @@ limitInformation(const AdjustmentParameters& parameters, Unknown& u)
   u.information = covariance.inverse();
 }
 
-void
-removeTies(const std::vector<bool>& of, std::vector<PlanTie>& ties)
-{
-  ties.erase(std::remove_if(ties.begin(), ties.end(),
-                            [&](const PlanTie& tie) { return of[tie.a] || of[tie.b]; }),
-             ties.end());
-}
-
-/** @brief Finds the unknowns that all their ties together move farther than is worth
- * it, those that cost most. */
-std::vector<bool>
-overstrained(const std::vector<PlanTie>& ties, const std::vector<double>& costs)
-{
-  std::vector<double> excess = costs;
-  for (const PlanTie& tie : ties) {
-    excess[tie.a] -= tie.cost;
-    excess[tie.b] -= tie.a == tie.b ? 0 : tie.cost;
-  }
-  const double most = *std::max_element(excess.begin(), excess.end());
-  std::vector<bool> are(excess.size(), false);
-  for (std::size_t u = 0; u < excess.size(); ++u)
-    are[u] = excess[u] > 0 && excess[u] >= most / 2;
-  return are;
-}
-
-/** @brief Solves the ties; those of overstrained unknowns are removed. */
+/** @brief Solves the ties. While they contradict each other, the last one goes. */
 void
 tie(std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
 {
   constexpr int max_tries = 30;
   for (int tries = 0; tries < max_tries && !ties.empty(); ++tries) {
-    std::vector<Unknown> moved = unknowns;
-    const std::vector<double> costs = solveTies(ties, moved);
-    if (costs.empty()) { // tangents are the most demanding
-      const auto last = std::find_if(ties.rbegin(), ties.rend(), [](const PlanTie& t) {
-        return t.kind == PlanTieKind::Tangent;
-      });
-      ties.erase(last == ties.rend() ? ties.end() - 1 : std::next(last).base());
-      continue;
-    }
-    const std::vector<bool> are = overstrained(ties, costs);
-    if (std::find(are.begin(), are.end(), true) == are.end()) {
-      unknowns = std::move(moved);
+    if (solveTies(ties, unknowns))
       return;
-    }
-    removeTies(are, ties);
+    // Tangents are the most demanding.
+    const auto last = std::find_if(ties.rbegin(), ties.rend(), [](const PlanTie& t) {
+      return t.kind == PlanTieKind::Tangent;
+    });
+    ties.erase(last == ties.rend() ? ties.end() - 1 : std::next(last).base());
   }
   ties.clear();
 }

@@ -47,7 +47,6 @@ struct AdjustmentParameters {
   // a free value: ln (interval / (standard deviation sqrt(2 pi))) nats.
   double free_direction = 1.5708; ///< of a wall, against another: a quarter turn
   double free_offset = 0.3;       ///< of a wall against the line of another
-  double free_radius = 0.3;       ///< of a column against another
   double free_height = 0.3;       ///< of a floor or ceiling against another's
   double free_slope = 0.1;        ///< of a floor or ceiling that is not level
   double free_tilt = 1;           ///< of a wall that is not vertical
@@ -84,8 +83,8 @@ struct AdjustmentReport {
  * the points and from the correlated errors of the scan, both of which are estimated.
  * Patches of furniture and of what stands square to a surface are outliers. Straight
  * walls of a room are tilted where that is more probable, see SurfaceFit. Walls that
- * are parallel, square or on one line, smooth joints, equal radii, level slabs and
- * slabs of one height are tied where this is more probable than chance: the cost of the
+ * are parallel, square or on one line, smooth joints, level slabs and slabs of one
+ * height are tied where this is more probable than chance: the cost of the
  * free values, in nats, against half of the squared contradiction in standard
  * deviations. Corners are then intersections. Surfaces that no point shows follow their
  * ties or stay. A loop that would break or cross itself keeps its place.

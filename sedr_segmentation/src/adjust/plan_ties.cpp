@@ -71,8 +71,6 @@ equationsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
     return {onLine(tie, a, b)};
   case PlanTieKind::Tangent:
     return {tangent(tie, a, b)};
-  case PlanTieKind::EqualRadius:
-    return {{a.radius - b.radius, {{3 * tie.a + 2, 1}, {3 * tie.b + 2, -1}}}};
   case PlanTieKind::Level:
     return {{a.slope.x(), {{3 * tie.a + 1, 1}}}, {a.slope.y(), {{3 * tie.a + 2, 1}}}};
   case PlanTieKind::EqualSlope:
@@ -163,7 +161,7 @@ linearTies(const std::vector<PlanTie>& ties,
 
 } // namespace
 
-std::vector<double>
+bool
 solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
 {
   constexpr int max_rounds = 20;
@@ -186,7 +184,7 @@ solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
     const Eigen::SimplicialLDLT<Sparse> solver(information +
                                                Sparse(turned * linear.slopes));
     if (solver.info() != Eigen::Success)
-      return {};
+      return false;
     // Minimises step' information step where value + slopes (step - before) = 0.
     const Eigen::VectorXd wanted = linear.slopes * step - linear.value;
     if (round == 0)
@@ -196,22 +194,18 @@ solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
       forces += linear.slopes * step - wanted;
     }
     if (!step.allFinite())
-      return {};
+      return false;
     moved = start;
     for (std::size_t u = 0; u < moved.size(); ++u)
       moved[u].move(step.segment<3>(static_cast<Eigen::Index>(3 * u)));
   }
   if (!(worst < good))
-    return {};
-  std::vector<double> costs;
-  for (std::size_t u = 0; u < start.size(); ++u) {
-    const Eigen::Vector3d own = step.segment<3>(static_cast<Eigen::Index>(3 * u));
-    costs.push_back(own.dot(start[u].information * own) / 2);
-    if (moved[u].kind == UnknownKind::Circle && !(moved[u].radius > 0))
-      return {};
-  }
+    return false;
+  for (const Unknown& u : moved)
+    if (u.kind == UnknownKind::Circle && !(u.radius > 0))
+      return false;
   unknowns = std::move(moved);
-  return costs;
+  return true;
 }
 
 void

@@ -10,13 +10,12 @@
 namespace pcl::sedr {
 
 enum class PlanTieKind {
-  Direction,   ///< of two lines: parallel or square, whichever is nearer
-  OnLine,      ///< the middle of line b is on line a
-  Tangent,     ///< of a line or circle a and a circle b
-  EqualRadius, ///< of two circles
-  Level,       ///< a plane
-  EqualSlope,  ///< of two planes
-  EqualHeight  ///< of two level planes
+  Direction,  ///< of two lines: parallel or square, whichever is nearer
+  OnLine,     ///< the middle of line b is on line a
+  Tangent,    ///< of a line or circle a and a circle b
+  Level,      ///< a plane
+  EqualSlope, ///< of two planes
+  EqualHeight ///< of two level planes
 };
 
 /** @brief A relation of two unknowns, or of one (a = b). */
@@ -24,9 +23,8 @@ struct PlanTie {
   PlanTieKind kind = PlanTieKind::Direction;
   std::size_t a = 0;
   std::size_t b = 0;
-  double cost = 0; ///< of the values that are free without it, nats
-  int side = 0;    ///< of a tangent: sign of the distance of the circle's centre; of
-                   ///< circles 1 inside, -1 outside
+  int side = 0; ///< of a tangent: sign of the distance of the circle's centre; of
+                ///< circles 1 inside, -1 outside
 };
 
 /** @brief A linearised equation of a tie: value + sum of slopes times steps = 0. */
@@ -51,10 +49,8 @@ TieOdds oddsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns);
 /** @brief Moves the unknowns by the least amount, weighted by their information, that
  * fulfils all ties: Gauss-Newton with one sparse Cholesky factorisation a round, of the
  * augmented Lagrangian. Ties may be redundant.
- * @return the cost of each unknown's move, nats; empty, with unchanged unknowns, if the
- * ties cannot be fulfilled */
-std::vector<double> solveTies(const std::vector<PlanTie>& ties,
-                              std::vector<Unknown>& unknowns);
+ * @return false, with unchanged unknowns, if the ties cannot be fulfilled */
+bool solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns);
 
 /** @brief Sets the covariance of the values of each unknown, given its information and
  * the ties that hold. O(tied unknowns x all). */

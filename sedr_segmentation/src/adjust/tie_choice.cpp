@@ -29,7 +29,6 @@ public:
     shareDirections();
     putOnLines();
     findTangents();
-    shareRadii();
     levelSlabs();
     return ties_;
   }
@@ -37,12 +36,11 @@ public:
 private:
   /** @brief Adds a tie if the cost of its free values exceeds its contradiction.
    * @param interval logarithm of the interval of the free values */
-  bool accept(PlanTie tie, double interval)
+  bool accept(const PlanTie& tie, double interval)
   {
     const TieOdds odds = oddsOf(tie, plan_.all);
-    tie.cost = interval + odds.sharpness;
     if (plan_.all[tie.a].is_kept || plan_.all[tie.b].is_kept ||
-        !(odds.contradiction < tie.cost))
+        !(odds.contradiction < interval + odds.sharpness))
       return false;
     ties_.push_back(tie);
     return true;
@@ -78,20 +76,19 @@ private:
       const double variance = plan_.all[u].information.inverse()(parameter, parameter);
       const double own = value(plan_.all[u]);
       double most = 0;
-      double best_cost = 0;
       double difference = 0;
       SharedValue* best = nullptr;
       for (SharedValue& s : shared) {
         const double both = variance + 1 / s.information;
         double off = own - s.value;
         off -= period > 0 ? period * std::round(off / period) : 0;
-        const double cost = std::log(interval) - std::log(2 * M_PI * both) / 2 +
-                            std::log(static_cast<double>(s.members));
-        if (cost - off * off / (2 * both) <= most)
+        const double gain = std::log(interval) - std::log(2 * M_PI * both) / 2 +
+                            std::log(static_cast<double>(s.members)) -
+                            off * off / (2 * both);
+        if (gain <= most)
           continue;
-        most = cost - off * off / (2 * both);
+        most = gain;
         best = &s;
-        best_cost = cost;
         difference = off;
       }
       if (!best) {
@@ -101,18 +98,8 @@ private:
       best->information += 1 / variance;
       best->value += difference / variance / best->information;
       ++best->members;
-      ties_.push_back({kind, best->first, u, best_cost});
+      ties_.push_back({kind, best->first, u});
     }
-  }
-
-  void shareRadii()
-  {
-    std::vector<std::size_t> seen;
-    for (const std::size_t u : ordered(UnknownKind::Circle, 2))
-      if (plan_.all[u].isSeen())
-        seen.push_back(u);
-    shareValues(seen, 2, parameters_.free_radius, 0, PlanTieKind::EqualRadius,
-                [](const Unknown& u) { return u.radius; });
   }
 
   void shareDirections()
@@ -126,38 +113,6 @@ private:
       direction_[u] = u;
     for (const PlanTie& tie : ties_)
       direction_[tie.b] = tie.a;
-    partAdjacent();
-  }
-
-  /** @brief Adjacent lines of a loop that would become parallel, and never meet, are
-   * made one line or keep their directions. */
-  void partAdjacent()
-  {
-    for (const UnknownLoop& loop : plan_.loops)
-      for (std::size_t i = 0; i < loop.of_element.size(); ++i) {
-        std::size_t a = loop.of_element[i];
-        std::size_t b = loop.of_element[(i + 1) % loop.of_element.size()];
-        if (a == b || !areParallel(a, b))
-          continue;
-        if (accept({PlanTieKind::OnLine, a, b}, std::log(parameters_.free_offset)))
-          continue;
-        if (direction_[a] != a &&
-            (direction_[b] == b ||
-             plan_.all[a].information(1, 1) < plan_.all[b].information(1, 1)))
-          std::swap(a, b);
-        ties_.erase(std::remove_if(ties_.begin(), ties_.end(),
-                                   [&](const PlanTie& tie) { return tie.b == b; }),
-                    ties_.end());
-        direction_[b] = b;
-      }
-  }
-
-  /** @brief Checks whether two lines share a direction, not a square one. */
-  bool areParallel(std::size_t a, std::size_t b) const
-  {
-    return plan_.all[a].kind == UnknownKind::Line &&
-           plan_.all[b].kind == UnknownKind::Line && direction_[a] == direction_[b] &&
-           std::abs(plan_.all[a].direction.dot(plan_.all[b].direction)) > M_SQRT1_2;
   }
 
   /** @brief Puts walls that face the same way, and lines within a room, on the line of
@@ -228,11 +183,9 @@ private:
         const double radius =
             a.kind == UnknownKind::Circle ? std::min(a.radius, b.radius) : b.radius;
         const double interval = radius * (1 - std::cos(parameters_.smooth_joint));
-        if (accept(tie, std::log(interval)) ||
-            !intersections(a.curve(), b.curve()).empty())
-          continue;
-        tie.cost = HUGE_VAL; // else they would not meet
-        ties_.push_back(tie);
+        if (!accept(tie, std::log(interval)) &&
+            intersections(a.curve(), b.curve()).empty())
+          ties_.push_back(tie); // else they would not meet
       }
     }
   }

@@ -59,12 +59,6 @@ public:
           if (steps.nats > most.nats)
             most = std::move(steps);
         }
-    for (bool is_better = !most.treads.empty(); is_better;) {
-      StraightSteps fitted = explain(through(most.treads));
-      is_better = fitted.nats > most.nats + 1e-6;
-      if (is_better)
-        most = std::move(fitted);
-    }
     return most;
   }
 
@@ -73,19 +67,6 @@ private:
     const LevelPatch* patch = nullptr;
     Eigen::AlignedBox2d box;
   };
-
-  StraightSteps through(const std::vector<Tread>& treads) const
-  {
-    std::vector<double> fronts;
-    std::vector<double> heights;
-    for (const Tread& tread : treads) {
-      fronts.push_back(tread.patch->extent(way_)[0]);
-      heights.push_back(tread.patch->z);
-    }
-    const Eigen::Vector2d front = lineThrough(treads, fronts);
-    const Eigen::Vector2d height = lineThrough(treads, heights);
-    return {way_, front[0], front[1], height[0], height[1]};
-  }
 
   /** @brief Sets what steps explain, and its nats; nothing if one cannot climb them. */
   StraightSteps explain(StraightSteps steps) const
@@ -141,44 +122,12 @@ private:
   std::vector<Strip> strips_;
 };
 
-/** @brief Leaves of the treads those that no floor parts from most of them. */
-void
-endAtFloors(const RoomFloors& floors, StraightSteps& steps)
-{
-  std::vector<Tread> part;
-  std::vector<Tread> most;
-  for (const Tread& tread : steps.treads) {
-    if (!part.empty() && floors.part(part.back().patch->middle, part.back().patch->z,
-                                     tread.patch->middle, tread.patch->z,
-                                     tread.number - part.back().number))
-      part.clear();
-    part.push_back(tread);
-    if (part.size() > most.size())
-      most = part;
-  }
-  steps.treads = std::move(most);
-}
-
 } // namespace
-
-Eigen::Vector2d
-lineThrough(const std::vector<Tread>& treads, const std::vector<double>& values)
-{
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (std::size_t k = 0; k < treads.size(); ++k) {
-    const Eigen::Vector2d row(1, treads[k].number);
-    normal += row * row.transpose();
-    right += values[k] * row;
-  }
-  return normal.inverse() * right;
-}
 
 std::optional<StraightSteps>
 straightSteps(const std::vector<Tread>& treads,
               const std::vector<LevelPatch>& patches,
               const std::vector<std::uint8_t>& is_used,
-              const RoomFloors& floors,
               std::optional<double> wall)
 {
   const auto alongAngle = [&](double angle) {
@@ -214,11 +163,24 @@ straightSteps(const std::vector<Tread>& treads,
       }));
   if (left_out * (stair_priors.step_gain - std::log(n) / 2) > stair_priors.oblique)
     return std::nullopt;
-  endAtFloors(floors, best);
   return best;
 }
 
 namespace {
+
+/** @brief Intercept and slope of values of treads over their numbers, least squares. */
+Eigen::Vector2d
+lineThrough(const std::vector<Tread>& treads, const std::vector<double>& values)
+{
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (std::size_t k = 0; k < treads.size(); ++k) {
+    const Eigen::Vector2d row(1, treads[k].number);
+    normal += row * row.transpose();
+    right += values[k] * row;
+  }
+  return normal.inverse() * right;
+}
 
 /** @brief The riser before the first of a flight or after its last, as it runs and
  * turns there. */

@@ -32,10 +32,6 @@ struct StraightSteps {
   std::vector<const LevelPatch*> explained{}; ///< treads and undersides
 };
 
-/** @brief Intercept and slope of values of treads over their numbers, least squares. */
-Eigen::Vector2d lineThrough(const std::vector<Tread>& treads,
-                            const std::vector<double>& values);
-
 /** @brief Fits equal steps to the patches around treads that follow each other: those
  * that explain most. Each tread is worth what a step is, less how far its height, its
  * front and its back are off; so is each patch of the underside of these steps, at one
@@ -47,7 +43,6 @@ Eigen::Vector2d lineThrough(const std::vector<Tread>& treads,
 std::optional<StraightSteps> straightSteps(const std::vector<Tread>& treads,
                                            const std::vector<LevelPatch>& patches,
                                            const std::vector<std::uint8_t>& is_used,
-                                           const RoomFloors& floors,
                                            std::optional<double> wall);
 
 /** @brief Returns the flight of equal steps, as wide as their patches. */

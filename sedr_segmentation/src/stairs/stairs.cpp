@@ -164,8 +164,8 @@ addFlights(const PointView& points,
     std::vector<PlanFlight> flights;
     double odds = chain.back().odds;
     for (const std::vector<Tread>& treads : treadsOf(chain, patches)) {
-      const auto steps = straightSteps(treads, patches, chains.used(), floors,
-                                       wallsAround(treads, fine));
+      const auto steps =
+          straightSteps(treads, patches, chains.used(), wallsAround(treads, fine));
       if (steps || treads.size() > 2)
         flights.push_back(steps ? flightOf(*steps) : turningFlight(treads));
       if (steps)

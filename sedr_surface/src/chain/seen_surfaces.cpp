@@ -3,7 +3,6 @@
 
 #include "sedr_filters/src/plan/plan_geometry.h"
 #include "sedr_filters/src/walls/plan_walls.h"
-#include "sedr_segmentation/src/curves/place_sums.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,7 @@ constexpr double told_share = 0.01; ///< of all surfaces of a room
 
 /** @brief Returns the bit of a height in steps, 0 beyond 64 of them. */
 std::uint64_t
-stepAt(double height, double step = wall_tile)
+stepAt(double height, double step)
 {
   return height > 0 && height < 64 * step
              ? std::uint64_t{1} << static_cast<unsigned>(height / step)
@@ -179,7 +178,6 @@ SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
   const auto [found, is_new] = standing_[room].try_emplace(keyOf(cell));
   Standing& standing = found->second;
   if (is_new) {
-    standing.floor = rooms_[room].floorAt(tiles.centre(cell));
     standing.ceiling = infinite;
     for (const double x : {-1, 0, 1})
       for (const double y : {-1, 0, 1})
@@ -189,9 +187,7 @@ SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
                                             wall_tile * Eigen::Vector2d(x, y)));
   }
   const double below = standing.ceiling - p.z();
-  standing.heights |= below > wall_tile ? stepAt(below) : 0;
-  standing.above |= stepAt(p.z() - standing.floor);
-  standing.places += p.head<2>().homogeneous();
+  standing.heights |= below > wall_tile ? stepAt(below, wall_tile) : 0;
 }
 
 void
@@ -218,76 +214,11 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
 }
 
 void
-SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const
-{
-  constexpr double lowest = 0.85;          // metres: sills, parapets; tables are lower
-  constexpr double open_above = 0.3;       // metres
-  constexpr double shortest = 1;           // metre: longer than furniture is deep,
-  constexpr double thickest = 0.25;        // and as thin as walls
-  constexpr double filled = 0.7;           // of its height
-  constexpr double free_sides = 0.6;       // of its length
-  std::map<CellKey, Eigen::Vector3d> tops; // and their places
-  std::vector<CellKey> around;             // a wall's two faces are one
-  for (const auto& [key, standing] : standing_[room]) {
-    const int steps = standing.above == 0 ? 0 : 64 - __builtin_clzll(standing.above);
-    const double height = wall_tile * steps;
-    if (height < lowest || standing.ceiling - standing.floor - height < open_above ||
-        __builtin_popcountll(standing.above) < filled * steps)
-      continue;
-    const Eigen::Vector2d at = standing.places.hnormalized();
-    tops.emplace(key, Eigen::Vector3d(at.x(), at.y(), height));
-    for (const int x : {-1, 0, 1})
-      for (const int y : {-1, 0, 1})
-        around.push_back(keyOf({cellOf(key).x + x, cellOf(key).y + y}));
-  }
-  const CellSet cells(std::move(around));
-  const CellRegions regions = labelRegions(cells);
-  std::vector<std::vector<Eigen::Vector3d>> things(regions.sizes.size());
-  for (const auto& [key, top] : tops)
-    things[regions.label[cells.find(cellOf(key))]].push_back(top);
-  const auto isFloor = [&](const Eigen::Vector2d& p) {
-    return isOnSlab(room, keyOf(grid_.at(p.x(), p.y())), true);
-  };
-  for (const std::vector<Eigen::Vector3d>& thing : things) {
-    PlaceSums sums;
-    double height = 0;
-    for (const Eigen::Vector3d& tile : thing) {
-      sums.add((tile - thing.front()).head<2>());
-      height += tile.z() / static_cast<double>(thing.size());
-    }
-    const Eigen::Vector2d normal = sums.normal();
-    const Eigen::Vector2d way = leftOf(normal);
-    Eigen::AlignedBox2d box; // along it, across it
-    for (const Eigen::Vector3d& tile : thing)
-      box.extend(Eigen::Vector2d(way.dot(tile.head<2>()), normal.dot(tile.head<2>())));
-    if (box.sizes().x() < shortest || box.sizes().y() > thickest)
-      continue;
-    std::array<double, 2> free{};
-    for (double s = box.min().x(); s <= box.max().x(); s += wall_tile)
-      for (const std::size_t side : {0, 1})
-        for (double d = 2 * wall_tile; d < 6 * wall_tile; d += wall_tile / 2)
-          if (isFloor(s * way +
-                      (side == 0 ? box.min().y() - d : box.max().y() + d) * normal)) {
-            free[side] += wall_tile;
-            break;
-          }
-    if (std::min(free[0], free[1]) >= free_sides * box.sizes().x())
-      warnings.push_back({WarningKind::HalfWall,
-                          {box.sizes().x() + wall_tile, height},
-                          rooms_[room].room().id,
-                          0,
-                          {},
-                          box.center().x() * way + box.center().y() * normal});
-  }
-}
-
-void
 SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
 {
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellStanding(r, warnings);
     tellHanging(r, warnings);
-    tellHalfWalls(r, warnings);
     tellBeyond(r, warnings);
   }
 }

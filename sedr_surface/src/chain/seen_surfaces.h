@@ -116,10 +116,6 @@ private:
    * to the rest was seen, if compared with the wall that was seen best. */
   void tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
-  /** @brief Warns of what stands on the floor like a wall but ends below the ceiling:
-   * long, thin, and with floor on both sides. */
-  void tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const;
-
   CellGrid grid_;
   CellGrid tiles_{wall_tile};
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
@@ -137,10 +133,7 @@ private:
   /** @brief What is seen between floor and ceiling in one cell of a room. */
   struct Standing {
     double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
-    double floor = 0;
     std::uint64_t heights = 0; ///< in steps of a cell below the ceiling, a bit each
-    std::uint64_t above = 0;   ///< likewise above the floor
-    Eigen::Vector3d places = Eigen::Vector3d::Zero(); ///< sums of x, y and 1
   };
   std::vector<std::map<CellKey, Standing>> standing_; ///< of each room
 };

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -56,8 +55,6 @@ public:
   {
     for (Corner& corner : corners)
       corner.place = placeOf(corner);
-    dropShort(corners);
-    corners = ledThroughCorners(corners);
     dropShort(corners);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Eigen::Vector2d& to = corners[(i + 1) % corners.size()].place;
@@ -119,38 +116,6 @@ private:
       return std::make_pair(facet.from.place, facet.from.is_joint ? tolerance : -1);
     });
     return joint != corner.place ? joint : on_edge;
-  }
-
-  /** @brief Adds to a loop the fixed corners beside its facets, except those near their
-   * ends. */
-  std::vector<Corner> ledThroughCorners(const std::vector<Corner>& corners) const
-  {
-    std::vector<Corner> led;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Corner& from = corners[i];
-      const Eigen::Vector2d& end = corners[(i + 1) % corners.size()].place;
-      const double length = (end - from.place).norm();
-      const Eigen::Vector2d way = (end - from.place) / length;
-      const Eigen::AlignedBox2d box = boxAround(from.place, end);
-      std::multimap<double, Eigen::Vector2d> beside;
-      for (const Facet& facet : facets_) {
-        if (!facet.reach.intersects(box))
-          continue;
-        const double tolerance = std::max(from.edge_tolerance, facet.from.tolerance);
-        const Eigen::Vector2d offset = facet.from.place - from.place;
-        const double along = offset.dot(way);
-        if (along > tolerance && along < length - tolerance &&
-            (offset - along * way).norm() <= tolerance)
-          beside.emplace(along, facet.from.place);
-      }
-      led.push_back(from);
-      for (const auto& [along, place] : beside) {
-        led.push_back(from);
-        led.back().place = place;
-        led.back().is_joint = false;
-      }
-    }
-    return led;
   }
 
   /** @brief Removes facets of zero length. */

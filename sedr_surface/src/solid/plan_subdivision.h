@@ -122,8 +122,7 @@ double snapTolerance(const PlanElement& element);
  *
  * Noise makes loops of a fitted plan miss shared edges and corners. Each loop is fitted
  * to the previous ones, so that walls stay in place. A corner snaps to a corner within
- * tolerance, else to an edge; an edge is led through corners beside it. The tolerance
- * is the larger one of the two elements. A chain that shrinks below three corners
+ * tolerance, else to an edge. The tolerance is the larger one of the two elements. A chain that shrinks below three corners
  * becomes empty. O(n^2) in the facets, a box each unless near. */
 std::vector<FacetChain> facetLoops(const RoomLayers& layers, double chord_tolerance);
 

@@ -153,32 +153,6 @@ TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
   }
 }
 
-TEST(UnexplainedSurfaces, AreHalfWallsButNoFurniture)
-{
-  const Floorplan plan{{planned(1, 0, 4)}};
-  Cloud bare = recessedRoom(0);
-  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 3, 0}, bare);
-  for (const float thick : {0.1F, 0.22F, 0.4F})
-    for (const float top : {0.7F, 1.1F, 1.9F, 2.45F}) {
-      Cloud cloud = bare;
-      for (const float side : {-thick / 2, thick / 2})
-        addRectangle({1, 1.5F + side, 0}, {1.6F, 0, 0}, {0, 0, top}, cloud);
-      for (const float end : {1.01F, 2.59F})
-        addRectangle({end, 1.5F - thick / 2, 0}, {0, thick, 0}, {0, 0, top}, cloud);
-      const auto found = unexplained(cloud, plan);
-      const bool is_half_wall = thick < 0.3F && top > 1 && top < 2;
-      const auto told = std::count_if(found.begin(), found.end(), [](const auto& w) {
-        return w.kind == WarningKind::HalfWall;
-      });
-      ASSERT_EQ(told, is_half_wall ? 1 : 0) << thick << " x " << top;
-      if (is_half_wall) {
-        EXPECT_NEAR(found[0].values[0], 1.6, 0.15);
-        EXPECT_NEAR(found[0].values[1], top, 0.1);
-        EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.8, 1.5)).norm(), 0, 0.1);
-      }
-    }
-}
-
 TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)
 {
   Floorplan plan{{planned(1, 0, 4)}};
