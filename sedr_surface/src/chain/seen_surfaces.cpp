@@ -184,8 +184,8 @@ SeenSurfaces::tellCeilingGaps(std::size_t room,
                               std::vector<PlanWarning>& warnings) const
 {
   const PlanRoom& plan = rooms_[room].room();
-  constexpr unsigned whole = 3; // points of a tile that is more than an edge
-  std::map<CellKey, bool> gaps; // tiles, and whether a side leads up there
+  constexpr unsigned whole = 3;   // points of a tile that is more than an edge
+  std::map<CellKey, double> gaps; // tiles, 1 where a side leads up
   const auto isSeen = [&](const Cell& cell) {
     const auto found = on_ceiling_[room].find(keyOf(cell));
     return found != on_ceiling_[room].end() && found->second >= whole;
@@ -205,21 +205,18 @@ SeenSurfaces::tellCeilingGaps(std::size_t room,
       if (const Cell cell{x, y};
           !isSeen(cell) && rooms_[room].contains(tiles_.centre(cell)) &&
           plan.boundary.distance(tiles_.centre(cell)) > grid_.size())
-        gaps.emplace(keyOf(cell), hasSide(cell));
-  std::vector<CellValue> values;
-  for (const auto& gap : gaps)
-    values.emplace_back(gap.first, 0);
-  const CellSet cells = cellsOf(values);
-  const CellRegions regions = labelRegions(cells);
-  std::vector<std::size_t> sides(regions.sizes.size(), 0);
+        gaps.emplace(keyOf(cell), hasSide(cell) ? 1 : 0);
+  std::vector<CellValue> values(gaps.begin(), gaps.end());
+  const CellRegions regions = labelRegions(cellsOf(values));
+  std::vector<double> sides(regions.sizes.size(), 0);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sides[regions.label[k]] += values[k].second;
   std::size_t k = 0;
-  for (const auto& gap : gaps)
-    sides[regions.label[k++]] += gap.second ? 1 : 0;
-  k = 0;
   values.erase(std::remove_if(values.begin(), values.end(),
                               [&](const CellValue&) {
-                                const auto region = regions.label[k++];
-                                return 2 * sides[region] < regions.sizes[region];
+                                const auto r = regions.label[k++];
+                                return 2 * sides[r] <
+                                       static_cast<double>(regions.sizes[r]);
                               }),
                values.end());
   const Patches found(values, wall_tile);
