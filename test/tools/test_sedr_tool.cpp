@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <map>
 
 namespace {
@@ -65,6 +66,10 @@ TEST_F(SedrTool, KeepsThePlanOfAModelThatWasEdited)
   EXPECT_EQ(bytesOf(in("model/floorplan.json")).find("Hall"), std::string::npos);
   EXPECT_NE(bytesOf(in("model/floorplan.json~~")).find("Hall"), std::string::npos);
   EXPECT_EQ(bytesOf(in("model/floorplan.json~")), bytesOf(in("model/floorplan.json")));
+  std::filesystem::copy_file(in("model/floorplan.json~~"), in("model/floorplan.json"),
+                             std::filesystem::copy_options::overwrite_existing);
+  ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--confirm", "1.1"}).exit_code, 0);
+  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("Hall"), std::string::npos);
 }
 
 TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)

@@ -24,7 +24,7 @@ struct Words {
 /** In the order of WarningKind. Odds of kinds that at least six random buildings had
  * are what of the rooms or square metres was wrong there, see doc/reliability.md; the
  * others are chosen. */
-constexpr std::array<Words, 49> words{{
+constexpr std::array<Words, 50> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -36,7 +36,7 @@ constexpr std::array<Words, 49> words{{
      "{0.1} % of the points are scattered all over the air: they were left out"},
     {"noise", "scan again", Stake::Plan, 0.5,
      "half of the points lie {0.1} cm or more off the planes that fit them best: the "
-     "scan is noisy, which --plane-tolerance 0.1 allows for, or its points are strewn"},
+     "scan is noisy, or its points are strewn"},
     {"positions", "check the positions", Stake::None, 0,
      "{0.0} of {1.0} positions of the scanner are not where the points were taken "
      "from: they lie on a surface, or rays from there go through walls that were seen; "
@@ -71,6 +71,11 @@ constexpr std::array<Words, 49> words{{
      "it, {2.0} % nobody saw"},
     {"ceiling_apart", "look at", Stake::Value, 0.5,
      "{0.2} m2 of ceiling lie apart from the rest of its ceiling and are left out"},
+    {"ceiling_unseen", "look at", Stake::Value, 0.3,
+     "{0.1} m2 of its ceiling{at} were not seen, beside sides that lead up from it as "
+     "those of joists do: it may be higher there",
+     "{0.1} m2 of a lower part of its ceiling{at} were not seen: it may end before the "
+     "wall"},
     {"ceiling_off", "look at", Stake::Value, 0.3,
      "{0.1} m2 of its ceiling, {1.2} to {2.2} m above its floor, are more than 10 cm "
      "off the model"},
@@ -118,7 +123,8 @@ constexpr std::array<Words, 49> words{{
     {"narrow_room", "look at", Stake::Room, 0.5, "nowhere wider than {0.2} m"},
     {"height", "look at", Stake::Room, 0.05, "{0.2} m high",
      "its ceiling lies {0.2} m below its floor{at}"},
-    {"ragged", "look at", Stake::Room, 0.25, "{0.1} walls in 10 m of its outline"},
+    {"ragged", "look at", Stake::Room, 0.25,
+     "its walls are {0.2} m long on average: some may be furniture"},
     {"flat_arc", "look at", Stake::None, 0,
      "an arc that rises only {0.1} cm above its chord, of {1.1} m radius: it may be "
      "straight"},

@@ -31,6 +31,8 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
     , beyond_(2 * plan.rooms.size())
     , above_(plan.rooms.size())
     , ceilings_(plan.rooms.size())
+    , on_ceiling_(plan.rooms.size())
+    , above_ceiling_(plan.rooms.size())
     , rooms_near_(0.5)
     , verticals_near_(0.5)
     , standing_(plan.rooms.size())
@@ -105,8 +107,14 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
   for (const std::size_t k : {0, 1})
     if (std::abs(p.z() - heights[k]) < off_slab)
       on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
-  if (std::abs(p.z() - heights[1]) < off_slab)
-    ceilings_[r].insert(keyOf(tiles_.at(p.x(), p.y())));
+  const double above = p.z() - heights[1];
+  const CellKey tile = keyOf(tiles_.at(p.x(), p.y()));
+  if (std::abs(above) < off_slab)
+    ceilings_[r].insert(tile);
+  if (std::abs(above) < off_wall)
+    ++on_ceiling_[r][tile];
+  if (above > off_wall / 2)
+    above_ceiling_[r].insert(tile);
   if (distance >= relief)
     addStanding(p, r);
 }
@@ -171,6 +179,52 @@ SeenSurfaces::tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) c
 }
 
 void
+SeenSurfaces::tellCeilingGaps(std::size_t room,
+                              std::vector<PlanWarning>& warnings) const
+{
+  const PlanRoom& plan = rooms_[room].room();
+  constexpr unsigned whole = 3;   // points of a tile that is more than an edge
+  std::map<CellKey, double> gaps; // tiles, 1 where a side leads up
+  const auto isSeen = [&](const Cell& cell) {
+    const auto found = on_ceiling_[room].find(keyOf(cell));
+    return found != on_ceiling_[room].end() && found->second >= whole;
+  };
+  const auto hasSide = [&](const Cell& cell) {
+    for (const int x : {-1, 0, 1})
+      for (const int y : {-1, 0, 1})
+        if (above_ceiling_[room].count(keyOf({cell.x + x, cell.y + y})) > 0)
+          return true;
+    return false;
+  };
+  const Eigen::AlignedBox2d box = boundsOf(plan.boundary);
+  const Cell first = tiles_.at(box.min().x(), box.min().y());
+  const Cell last = tiles_.at(box.max().x(), box.max().y());
+  for (std::int32_t y = first.y; y <= last.y; ++y)
+    for (std::int32_t x = first.x; x <= last.x; ++x)
+      if (const Cell cell{x, y};
+          !isSeen(cell) && rooms_[room].contains(tiles_.centre(cell)) &&
+          plan.boundary.distance(tiles_.centre(cell)) > grid_.size())
+        gaps.emplace(keyOf(cell), hasSide(cell) ? 1 : 0);
+  std::vector<CellValue> values(gaps.begin(), gaps.end());
+  const CellRegions regions = labelRegions(cellsOf(values));
+  std::vector<double> sides(regions.sizes.size(), 0);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sides[regions.label[k]] += values[k].second;
+  std::size_t k = 0;
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [&](const CellValue&) {
+                                const auto r = regions.label[k++];
+                                return 2 * sides[r] <
+                                       static_cast<double>(regions.sizes[r]);
+                              }),
+               values.end());
+  const Patches found(values, wall_tile);
+  if (found.area >= told_share * surfacesOf(plan))
+    warnings.push_back(
+        {WarningKind::CeilingUnseen, {found.area}, plan.id, 0, {}, found.middle});
+}
+
+void
 SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
 {
   const CellGrid tiles(wall_tile);
@@ -220,6 +274,7 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
     tellStanding(r, warnings);
     tellHanging(r, warnings);
     tellBeyond(r, warnings);
+    tellCeilingGaps(r, warnings);
   }
 }
 

@@ -110,6 +110,10 @@ private:
   /** @brief Warns of a ceiling in whose place much was seen above it, and of a floor
    * and a ceiling that both were seen twice, as in two scans that do not fit. */
   void tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
+  /** @brief Warns of parts of a ceiling that were not seen where sides lead up from it
+   * all along, as between joists. */
+  void tellCeilingGaps(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of lower parts of a ceiling, clear of the walls, of which no side up
@@ -124,8 +128,10 @@ private:
     double heights = 0; ///< sum, metres
     std::size_t points = 0;
   };
-  std::vector<std::map<CellKey, Beyond>> above_;      ///< the ceilings, in tiles
-  std::vector<std::unordered_set<CellKey>> ceilings_; ///< tiles that show them
+  std::vector<std::map<CellKey, Beyond>> above_;        ///< the ceilings, in tiles
+  std::vector<std::unordered_set<CellKey>> ceilings_;   ///< tiles that show them
+  std::vector<std::map<CellKey, unsigned>> on_ceiling_; ///< points within 5 cm of them
+  std::vector<std::unordered_set<CellKey>> above_ceiling_; ///< by less than 10 cm
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;
   std::vector<Vertical> verticals_;

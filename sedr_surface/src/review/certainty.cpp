@@ -186,6 +186,7 @@ constexpr double min_room_width = 0.8; // metres, of the largest circle in it
 constexpr double min_height = 2;       // metres
 constexpr double max_height = 6;       // metres
 constexpr double max_walls = 8;        // in 10 m, and of a room
+constexpr double min_unseen = 0.25;    // square metres
 constexpr double min_door_width = 0.7; // metres
 constexpr double min_storey_area = 5;  // square metres
 constexpr double min_noise = 0.005;    // metres
@@ -292,9 +293,9 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
     addAt(height.lowest, 0, WarningKind::Height, {height.least});
   else if (height.usual < min_height || height.usual > max_height)
     add(WarningKind::Height, height.usual);
-  const double density = 10 * static_cast<double>(walls.size()) / room.perimeter();
-  if (static_cast<double>(walls.size()) > max_walls && density > max_walls)
-    add(WarningKind::Ragged, density);
+  const double mean = room.perimeter() / static_cast<double>(walls.size());
+  if (static_cast<double>(walls.size()) > max_walls && mean < 10 / max_walls)
+    add(WarningKind::Ragged, mean);
   for (std::size_t e = 0; e < walls.size(); ++e)
     if (walls[e].isArc() &&
         riseOf(walls[e]) < 2 * std::max(walls[e].residual, min_noise))
@@ -304,6 +305,13 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
              walls[e].length() >= worth_word && edge >= worth_word)
       addAt(walls[e].pointAt(walls[e].length() / 2), e + 1, WarningKind::InLine,
             {edge});
+  for (const PlanDetail& detail : room.details) {
+    const Eigen::Vector2d middle = textSpotIn(detail.boundary, {}).place;
+    const double unseen = detail.slab.inferred * detail.boundary.area();
+    if (unseen >= min_unseen &&
+        detail.slab.heightAt(middle) < room.ceiling.heightAt(middle))
+      addAt(middle, 0, WarningKind::CeilingUnseen, {-unseen});
+  }
   for (const PlanDetail& detail : room.floor_details) {
     const Eigen::Vector2d middle = textSpotIn(detail.boundary, {}).place;
     const double rise = detail.slab.heightAt(middle) - room.floor.heightAt(middle);

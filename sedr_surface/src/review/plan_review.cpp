@@ -339,9 +339,10 @@ judge(const Floorplan& plan, PlanReview& review)
   else
     review.text = "hand it over";
   if (area > 0)
-    review.text += ": of the walls " + percent(review.within[0]) +
-                   " are expected within 1 cm, " + percent(review.within[1]) +
-                   " within 3 cm, " + percent(review.within[2]) + " within 5 cm";
+    review.text += ": " + percent(review.within[0]) +
+                   " of the walls are expected within 1 cm of the true ones, " +
+                   percent(review.within[1]) + " within 3 cm, " +
+                   percent(review.within[2]) + " within 5 cm";
 }
 
 } // namespace

@@ -67,6 +67,26 @@ TEST(UnexplainedCeilings, AreADeckBetweenJoistsButNoVoidAboveACeiling)
   }
 }
 
+TEST(UnexplainedCeilings, AreGapsBetweenJoistsThatNobodySawButNotBehindALamp)
+{
+  // Of joists of 0.1 m each 0.4 m the undersides and the lowest of one side are seen.
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float up : {0.08F, 0.0F}) {
+    Cloud cloud = recessedRoom(0);
+    for (float y = 0.05F; y < 2.9F; y += 0.4F) {
+      addRectangle({0, y, 2.5F}, {4, 0, 0}, {0, 0.1F, 0}, cloud);
+      if (up > 0)
+        addRectangle({0, y, 2.5F}, {4, 0, 0}, {0, 0, up}, cloud);
+    }
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), up > 0 ? 1u : 0u);
+    if (up > 0) {
+      EXPECT_EQ(found[0].kind, WarningKind::CeilingUnseen);
+      EXPECT_NEAR(found[0].values[0], 7 * 0.3 * 3.7, 1.5) << "tiles, but for the edge";
+    }
+  }
+}
+
 /** @brief A room of 4 m x 3 m x 2.5 m with parts of its ceiling at other heights. */
 struct RoomWithParts {
   Floorplan plan{{planned(1, 0, 4)}};

@@ -125,7 +125,8 @@ keepEdited(const fs::path& folder)
       "'" + (folder / name).string() + "' was changed after the run before";
   if (rename((folder / name).c_str(), (folder / kept).c_str()) != 0)
     fail(folder, edited + " and cannot be kept: " + std::strerror(errno));
-  warnOnce(edited + ": it is kept as " + kept);
+  warnOnce(edited + ": it is kept as " + kept + "; copied over " + name +
+           " it comes back, and pcl_floorplan_edit writes the rest anew");
 }
 
 /** @brief Returns names of a journal, which anybody may have written. */

@@ -5,9 +5,4 @@
 pcl_simulate_indoor_scan bls_room noisy --rays 6000 --noise 0.04
 pcl_sedr noisy/scan.pcd noisy/model --report
 # [first]
-# [second]
-pcl_sedr noisy/scan.pcd noisy/better --report --plane-tolerance 0.1
-# [second]
-for model in model better; do
-  python3 "${SOURCES:-doc/tutorials/sources}/reading_the_report/rooms.py" noisy/$model
-done
+python3 "${SOURCES:-doc/tutorials/sources}/reading_the_report/rooms.py" noisy/model
