@@ -94,9 +94,6 @@ constexpr std::array<Words, 50> words{{
     {"hanging", "look at", Stake::Value, 0.5,
      "{0.1} m2 of its ceiling{at} lie {1.2} m below the rest, but of no side between "
      "more than {2.0} % was seen: they may be a thing that hangs there"},
-    {"half_wall", "look at", Stake::Value, 0.5,
-     "what stands{at} like a half wall, {0.1} m long and {1.1} m high, is not in the "
-     "plan"},
     {"tilted", "look at", Stake::None, 0, "it is tilted by {0.2} degrees into the room",
      "it is tilted by {0.2} degrees out of the room"},
     {"not_adjusted", "", Stake::Plan, 0.05,

@@ -79,8 +79,7 @@ reasonOf(const PlanOpening& opening)
 bool
 isLengthAndHeight(const PlanWarning& warning)
 {
-  return warning.values.size() > 1 && (warning.kind == WarningKind::NoOpening ||
-                                       warning.kind == WarningKind::HalfWall);
+  return warning.values.size() > 1 && warning.kind == WarningKind::NoOpening;
 }
 
 double

@@ -150,13 +150,13 @@ TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
   const PlanReview review = reviewOf(
       measuredRoom(), {{WarningKind::Standing, {1}, 1, 0, "", {1, 1}},
                        {WarningKind::Hidden, {1, 12}, 1},
-                       {WarningKind::HalfWall, {1.5, 1.2}, 1, 0, "", {1.5, 1.5}},
+                       {WarningKind::Hanging, {1.8, 0.4, 12}, 1, 0, "", {1.5, 1.5}},
                        {WarningKind::FloorOff, {0.5, 0.1, 0.2}, 1, 0, "", {3.5, 2}},
                        {WarningKind::Open, {2}, 1}});
   ASSERT_EQ(review.doubts.size(), 3u);
-  // By what they put at stake: half of 1.5 m x 1.2 m, 0.03 of 12 m2, 0.15 of 0.5 m2.
+  // By what they put at stake: half of 1.8 m2, 0.03 of 12 m2, 0.15 of 0.5 m2.
   EXPECT_EQ(review.doubts[0].kinds,
-            (std::vector<WarningKind>{WarningKind::Standing, WarningKind::HalfWall}));
+            (std::vector<WarningKind>{WarningKind::Standing, WarningKind::Hanging}));
   EXPECT_NEAR(review.doubts[0].stake, 0.9, 1e-9);
   EXPECT_EQ(review.doubts[1].kinds,
             (std::vector<WarningKind>{WarningKind::Hidden, WarningKind::Open}));

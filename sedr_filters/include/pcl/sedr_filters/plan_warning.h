@@ -41,7 +41,6 @@ enum class WarningKind {
   WallOff,       ///< m2 off the model, mean cm, positive into the room
   Standing,      ///< m2 of what reaches up to the ceiling and is not in the plan
   Hanging,       ///< m2, m below the rest, % seen of its best side
-  HalfWall,      ///< m long, m high; not in the plan
   Tilted,        ///< degrees, positive into the room
   NotAdjusted,   ///< reason
   Crossing,      ///< the other room; the room itself if both meet
