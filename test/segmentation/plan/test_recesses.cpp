@@ -159,7 +159,7 @@ TEST(Recesses, NorAreThoseOfBlindsJustBehindTheWall)
 {
   // Up to the ceiling, and below a lintel behind which no ceiling is seen.
   const PlanLoop walls = rectangle(0.01, 0.01, 5.01, 4.01);
-  for (const double head : {2.6, 2.42})
+  for (const double head : {2.6, 2.54, 2.42})
     for (const double depth : {0.08, 0.15}) {
       const auto isOpening = [&](double s, double z) {
         return s > 1 && s < 2.8 && z > 0.9 && z < head;

@@ -63,6 +63,42 @@ TEST(WallShapes, CurvedWallsThatMeetOthersAtAnAngle)
   }
 }
 
+TEST(WallShapes, ACurvedWallIsOneThoughSoffitsOfWindowsWereSeenBehindIt)
+{
+  const double radius = 5.24;
+  const double half = std::asin(2.1 / radius) * 180 / M_PI;
+  const Vector2d middle(radius * std::cos(half * M_PI / 180), 2.1);
+  const PlanLoop walls{{segment({0, 0}, {3.7, 0}), segment({3.7, 0}, {3.7, 4.2}),
+                        segment({3.7, 4.2}, {0, 4.2}),
+                        arc(middle, radius, 180 - half, 180 + half)}};
+  const double depth = 0.25;
+  const double head = 2.2;
+  // How far behind a wall with windows, and how far along it; 0 elsewhere.
+  const auto windowAt = [&](const Vector2d& p) -> std::pair<double, double> {
+    const Vector2d d = p - middle;
+    const double behind[] = {-p.y(), p.y() - 4.2, d.norm() - radius};
+    const double along[] = {p.x() - 0.9, p.x() - 0.9,
+                            std::abs(std::atan2(d.y(), -d.x())) * radius - 0.4};
+    for (const int k : {0, 1, 2})
+      if (behind[k] > -0.05 && along[k] > 0 && along[k] < (k < 2 ? 1.9 : 1.3))
+        return {behind[k], along[k]};
+    return {-1, 0};
+  };
+  RoomPoints points(0.05, 0.003);
+  RoomParts parts = points.room(roomOf(walls, 2.57), [&](const Eigen::Vector3d& p) {
+    return p.z() < 0.75 || p.z() > head || !(windowAt(p.head<2>()).first > -0.05);
+  });
+  parts.walls = joined(
+      parts.walls, points.slab(rectangle(-1, -1, 5, 5), head, [&](double x, double y) {
+        const double behind = windowAt({x, y}).first;
+        return behind > 0.01 && behind < depth;
+      }));
+  const PlanLoop loop = fitted(points, parts).boundary;
+  EXPECT_EQ(loop.elements.size(), 4u);
+  EXPECT_EQ(arcsOf(loop), 1u);
+  EXPECT_LT(outlineError(loop, walls), 0.01);
+}
+
 TEST(WallShapes, AGentlyCurvedWallIsOneArc)
 {
   for (const double radius : {60.0, 200.0}) {
