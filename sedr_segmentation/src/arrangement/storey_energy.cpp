@@ -142,8 +142,8 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        const Eigen::Vector2d& p,
                        const Eigen::Vector2d& left) const
 {
-  // Metres: in the recess of a pane, and clear of the wall's own cells.
-  constexpr double near[] = {0.06, 0.12, 0.2};
+  // Metres: in the recess of a pane, before what stands there, and clear of the wall.
+  const double near[] = {std::max(0.06, 1.2 * evidence.grid.size()), 0.12, 0.2};
   enum class Air { None, Recess, Niche, Room };
   const auto airAt = [&](double d) {
     const Eigen::Vector2d q = p + d * left;

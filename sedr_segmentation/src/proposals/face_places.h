@@ -19,10 +19,11 @@ struct FacePlace {
   double length = 0;      ///< of the face that it stands for, metres
   double share = 1;       ///< of the height of the face that was seen there
 
-  /** @brief Checks whether its face runs along a curve, as far as that is known. */
-  bool mayLieOn(const PlanCurve& curve) const
+  /** @brief Checks whether its face runs along a curve, as far as that is known.
+   * @param across sine of the angle between them from which it does not */
+  bool mayLieOn(const PlanCurve& curve, double across = 0.4) const
   {
-    return normal.isZero() || std::abs(curve.tangentAt(at).dot(normal)) < 0.4;
+    return normal.isZero() || std::abs(curve.tangentAt(at).dot(normal)) < across;
   }
 };
 
