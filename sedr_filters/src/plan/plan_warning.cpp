@@ -24,7 +24,7 @@ struct Words {
 /** In the order of WarningKind. Odds of kinds that at least six random buildings had
  * are what of the rooms or square metres was wrong there, see doc/reliability.md; the
  * others are chosen. */
-constexpr std::array<Words, 50> words{{
+constexpr std::array<Words, static_cast<std::size_t>(WarningKind::Edited) + 1> words{{
     {"coverage", "scan again", Stake::Plan, 0.3,
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},

@@ -18,7 +18,7 @@ void
 appendEdges(std::vector<StoreyLine>& lines)
 {
   constexpr double reach = 0.6;    // metres to both sides
-  constexpr double near = 0.06;    // metres, of another line
+  constexpr double near = 0.1;     // metres, of another line: corners hide ends
   constexpr double shortest = 0.2; // metres, of a face that is found
   const std::size_t faces = lines.size();
   std::vector<Eigen::AlignedBox2d> ends; // by edge
