@@ -140,6 +140,7 @@ constexpr std::array<Words, static_cast<std::size_t>(WarningKind::Edited) + 1> w
      "the rest{at}"},
     {"edited", "", Stake::None, 0, "{reason}"},
 }};
+static_assert(words.back().name != nullptr, "a kind lacks words");
 
 const Words&
 wordsOf(WarningKind kind)

@@ -192,7 +192,8 @@ limitInformation(const AdjustmentParameters& parameters, Unknown& u)
   u.information = covariance.inverse();
 }
 
-/** @brief Solves the ties. While they contradict each other, the last one goes. */
+/** @brief Solves the ties. While that fails, as they contradict each other, the last
+ * tangent goes, or the last tie if there is none; after 30 tries all. */
 void
 tie(std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
 {

@@ -134,8 +134,8 @@ StoreyCosts::addAreas(const StoreyEvidence& evidence, const PlanCells& arrangeme
 }
 
 /** @brief Returns on which side of a place on a surface the room is that saw it: 1 to
- * the left, -1 to the right, 0 if that is unclear, as where the ceiling ends before it:
- * the blind of a window does not stand in the room. */
+ * the left, -1 to the right, 0 if that is unclear. A place before which no ceiling was
+ * seen, such as a blind in a window, has no room on that side. */
 int
 StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        std::uint32_t room,
@@ -143,7 +143,9 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
                        const Eigen::Vector2d& left) const
 {
   // Metres: in the recess of a pane, before what stands there, and clear of the wall.
-  const double near[] = {std::max(0.06, 1.2 * evidence.grid.size()), 0.12, 0.2};
+  const double next_cell = std::max(0.06, 1.2 * evidence.grid.size());
+  const double near[] = {next_cell, std::max(0.12, next_cell),
+                         std::max(0.2, next_cell)};
   enum class Air { None, Recess, Niche, Room };
   const auto airAt = [&](double d) {
     const Eigen::Vector2d q = p + d * left;
@@ -157,7 +159,7 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
   const auto beside = [&](int side) {
     const Air air = std::min(airAt(near[1] * side), airAt(near[2] * side));
     const Air next = airAt(near[0] * side);
-    return next == Air::Recess || next == Air::None ? std::min(air, next) : air;
+    return next <= Air::Recess ? std::min(air, next) : air;
   };
   const Air to_left = beside(1);
   const Air to_right = beside(-1);

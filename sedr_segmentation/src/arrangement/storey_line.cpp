@@ -164,7 +164,7 @@ LineEvidence::observe(StoreyLine& line) const
   line.edges.clear();
   std::vector<std::pair<double, double>> ends(bins, {line.to, line.from}); // of places
   forEachOn(line, faces_.points, [&](std::size_t k, std::size_t i, double s, double d) {
-    if (!faces_.places[k].mayLieOn(line.curve, 0.7)) // a reveal's side, another wall
+    if (!faces_.places[k].mayLieOn(line.curve, 0.7)) // of a reveal or another wall
       return;
     std::vector<float>& seen = line.seen[wall_rooms_[faces_.points.given(k)]];
     seen.resize(bins, 0);

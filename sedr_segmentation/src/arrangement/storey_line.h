@@ -61,8 +61,8 @@ struct StoreyEvidence {
 /** @brief What the rooms of a storey saw, asked line by line. */
 class LineEvidence {
 public:
-  /** @param faces RoomCells::wall_points of all rooms, one after the other. O(cells of
-   * the storey + n log n of its points). */
+  /** @param faces RoomCells::wall_points of the storey's rooms, one after the other;
+   * must outlive this. O(cells of the storey + points). */
   LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces);
 
   /** @brief Finds where each room saw the surface of a line. O(its length + points near

@@ -17,8 +17,9 @@ namespace {
 void
 appendEdges(std::vector<StoreyLine>& lines)
 {
-  constexpr double reach = 0.6;    // metres to both sides
-  constexpr double near = 0.1;     // metres, of another line: corners hide ends
+  constexpr double reach = 0.6; // metres to both sides
+  constexpr double near =
+      0.1; // metres, of another line: near corners ends are not seen
   constexpr double shortest = 0.2; // metres, of a face that is found
   const std::size_t faces = lines.size();
   std::vector<Eigen::AlignedBox2d> ends; // by edge

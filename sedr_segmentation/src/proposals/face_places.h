@@ -20,7 +20,7 @@ struct FacePlace {
   double share = 1;       ///< of the height of the face that was seen there
 
   /** @brief Checks whether its face runs along a curve, as far as that is known.
-   * @param across sine of the angle between them from which it does not */
+   * @param across sine of the angle between them from which it is another face */
   bool mayLieOn(const PlanCurve& curve, double across = 0.4) const
   {
     return normal.isZero() || std::abs(curve.tangentAt(at).dot(normal)) < across;

@@ -111,8 +111,8 @@ private:
    * and a ceiling that both were seen twice, as in two scans that do not fit. */
   void tellBeyond(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
-  /** @brief Warns of parts of a ceiling that were not seen where sides lead up from it
-   * all along, as between joists. */
+  /** @brief Warns of parts of a ceiling that were not seen, if beside at least half of
+   * their tiles something was seen that leads up, as between joists. */
   void tellCeilingGaps(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
@@ -131,7 +131,7 @@ private:
   std::vector<std::map<CellKey, Beyond>> above_;        ///< the ceilings, in tiles
   std::vector<std::unordered_set<CellKey>> ceilings_;   ///< tiles that show them
   std::vector<std::map<CellKey, unsigned>> on_ceiling_; ///< points within 5 cm of them
-  std::vector<std::unordered_set<CellKey>> above_ceiling_; ///< by less than 10 cm
+  std::vector<std::unordered_set<CellKey>> above_ceiling_; ///< tiles with points above
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;
   std::vector<Vertical> verticals_;

@@ -308,7 +308,7 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
   for (const PlanDetail& detail : room.details) {
     const Eigen::Vector2d middle = textSpotIn(detail.boundary, {}).place;
     const double unseen = detail.slab.inferred * detail.boundary.area();
-    if (unseen >= min_unseen &&
+    if (unseen >= min_unseen && walledShare(detail, room) > 0 &&
         detail.slab.heightAt(middle) < room.ceiling.heightAt(middle))
       addAt(middle, 0, WarningKind::CeilingUnseen, {-unseen});
   }

@@ -122,8 +122,9 @@ double snapTolerance(const PlanElement& element);
  *
  * Noise makes loops of a fitted plan miss shared edges and corners. Each loop is fitted
  * to the previous ones, so that walls stay in place. A corner snaps to a corner within
- * tolerance, else to an edge. The tolerance is the larger one of the two elements. A chain that shrinks below three corners
- * becomes empty. O(n^2) in the facets, a box each unless near. */
+ * tolerance, else to an edge. The tolerance is the larger one of the two elements. A
+ * chain that shrinks below three corners becomes empty. O(n^2) in the facets, a box
+ * each unless near. */
 std::vector<FacetChain> facetLoops(const RoomLayers& layers, double chord_tolerance);
 
 /** @brief A straight line in plan along which a curved slab is folded. */
