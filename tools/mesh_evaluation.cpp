@@ -7,7 +7,7 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -7,8 +7,8 @@
 #include "tool_error.h"
 
 #include <pcl/conversions.h>
-#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structural_poisson.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <iostream>
 #include <sstream>

@@ -22,7 +22,7 @@ KINDS = {"first": oddities.FIRST, "later": oddities.LATER, "newest": oddities.NE
 MOST_OFF = 0.02     # share of a surface more than 5 cm from the other
 RAYS = 900_000      # of all stations
 BESIDE = 0.3        # metres from a room, where a doubt is still of it
-DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_unseen", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
+DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_unseen", "part_unseen", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
           "standing", "hanging", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up",
           "in_line", "raised_floor", "noise", "one_room", "two_rooms")
 

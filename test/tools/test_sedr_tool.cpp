@@ -6,7 +6,6 @@
 #include "tools/pictures/pictures.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>

@@ -73,7 +73,8 @@ constexpr std::array<Words, static_cast<std::size_t>(WarningKind::Edited) + 1> w
      "{0.2} m2 of ceiling lie apart from the rest of its ceiling and are left out"},
     {"ceiling_unseen", "look at", Stake::Value, 0.3,
      "{0.1} m2 of its ceiling{at} were not seen, beside sides that lead up from it as "
-     "those of joists do: it may be higher there",
+     "those of joists do: it may be higher there"},
+    {"part_unseen", "look at", Stake::Value, 0.3,
      "{0.1} m2 of a lower part of its ceiling{at} were not seen: it may end before the "
      "wall"},
     {"ceiling_off", "look at", Stake::Value, 0.3,
@@ -120,7 +121,7 @@ constexpr std::array<Words, static_cast<std::size_t>(WarningKind::Edited) + 1> w
     {"narrow_room", "look at", Stake::Room, 0.5, "nowhere wider than {0.2} m"},
     {"height", "look at", Stake::Room, 0.05, "{0.2} m high",
      "its ceiling lies {0.2} m below its floor{at}"},
-    {"ragged", "look at", Stake::Room, 0.25,
+    {"short_walls", "look at", Stake::Room, 0.25,
      "its walls are {0.2} m long on average: some may be furniture"},
     {"flat_arc", "look at", Stake::None, 0,
      "an arc that rises only {0.1} cm above its chord, of {1.1} m radius: it may be "

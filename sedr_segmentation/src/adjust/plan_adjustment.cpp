@@ -118,9 +118,11 @@ private:
       corner = p;
       is_found = true;
     }
-    if (!is_found && sine < 1e-6) { // two parts of one line, tied
-      corner = after.project(old);
-      is_found = before.distance(corner) < same_place;
+    if (!is_found &&
+        sine < 0.3) { // parts of one line, or with a step too low to be seen
+      const Eigen::Vector2d on_after = after.project(old);
+      corner = (on_after + before.project(on_after)) / 2;
+      is_found = before.distance(on_after) < farthest_ / 2;
     }
     return is_found;
   }

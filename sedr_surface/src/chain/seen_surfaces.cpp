@@ -113,7 +113,7 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
     ceilings_[r].insert(tile);
   if (std::abs(above) < off_wall)
     ++on_ceiling_[r][tile];
-  if (above > off_wall / 2)
+  if (above > std::max(off_wall / 2, sigmas * rooms_[r].room().ceiling.residual))
     above_ceiling_[r].insert(tile);
   if (distance >= relief)
     addStanding(p, r);
@@ -183,8 +183,8 @@ SeenSurfaces::tellCeilingGaps(std::size_t room,
                               std::vector<PlanWarning>& warnings) const
 {
   const PlanRoom& plan = rooms_[room].room();
-  constexpr unsigned whole = 3;   // points of a tile that is more than an edge
-  std::map<CellKey, double> gaps; // tiles, 1 where a side leads up
+  constexpr unsigned whole = 3; // points of a tile that is more than an edge
+  std::vector<CellValue> gaps;  // tiles, 1 where a side leads up
   const auto isSeen = [&](const Cell& cell) {
     const auto found = on_ceiling_[room].find(keyOf(cell));
     return found != on_ceiling_[room].end() && found->second >= whole;
@@ -204,21 +204,17 @@ SeenSurfaces::tellCeilingGaps(std::size_t room,
       if (const Cell cell{x, y};
           !isSeen(cell) && rooms_[room].contains(tiles_.centre(cell)) &&
           plan.boundary.distance(tiles_.centre(cell)) > grid_.size())
-        gaps.emplace(keyOf(cell), hasSide(cell) ? 1 : 0);
-  std::vector<CellValue> values(gaps.begin(), gaps.end());
-  const CellRegions regions = labelRegions(cellsOf(values));
+        gaps.emplace_back(keyOf(cell), hasSide(cell) ? 1 : 0);
+  const CellRegions regions = labelRegions(cellsOf(gaps));
   std::vector<double> sides(regions.sizes.size(), 0);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    sides[regions.label[k]] += values[k].second;
-  std::size_t k = 0;
-  values.erase(std::remove_if(values.begin(), values.end(),
-                              [&](const CellValue&) {
-                                const auto r = regions.label[k++];
-                                return 2 * sides[r] <
-                                       static_cast<double>(regions.sizes[r]);
-                              }),
-               values.end());
-  const Patches found(values, wall_tile);
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    sides[regions.label[k]] += gaps[k].second;
+  std::vector<CellValue> told;
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    if (const auto r = regions.label[k];
+        2 * sides[r] >= static_cast<double>(regions.sizes[r]))
+      told.push_back(gaps[k]);
+  const Patches found(told, wall_tile);
   if (found.area >= told_share * surfacesOf(plan))
     warnings.push_back(
         {WarningKind::CeilingUnseen, {found.area}, plan.id, 0, {}, found.middle});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/ply_header.h"

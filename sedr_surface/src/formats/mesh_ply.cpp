@@ -2,7 +2,7 @@
 #include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/labels.h"
 
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <algorithm>
 #include <cmath>

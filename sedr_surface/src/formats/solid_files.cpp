@@ -3,7 +3,7 @@
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_filters/src/base/number_text.h"
 
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>
 

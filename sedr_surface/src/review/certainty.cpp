@@ -185,7 +185,8 @@ constexpr double min_room_area = 2;    // square metres
 constexpr double min_room_width = 0.8; // metres, of the largest circle in it
 constexpr double min_height = 2;       // metres
 constexpr double max_height = 6;       // metres
-constexpr double max_walls = 8;        // in 10 m, and of a room
+constexpr double max_walls = 8;        // of a room, if they are short:
+constexpr double min_mean_wall = 1.25; // metres
 constexpr double min_unseen = 0.25;    // square metres
 constexpr double min_door_width = 0.7; // metres
 constexpr double min_storey_area = 5;  // square metres
@@ -294,8 +295,8 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
   else if (height.usual < min_height || height.usual > max_height)
     add(WarningKind::Height, height.usual);
   const double mean = room.perimeter() / static_cast<double>(walls.size());
-  if (static_cast<double>(walls.size()) > max_walls && mean < 10 / max_walls)
-    add(WarningKind::Ragged, mean);
+  if (static_cast<double>(walls.size()) > max_walls && mean < min_mean_wall)
+    add(WarningKind::ShortWalls, mean);
   for (std::size_t e = 0; e < walls.size(); ++e)
     if (walls[e].isArc() &&
         riseOf(walls[e]) < 2 * std::max(walls[e].residual, min_noise))
@@ -310,7 +311,7 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
     const double unseen = detail.slab.inferred * detail.boundary.area();
     if (unseen >= min_unseen && walledShare(detail, room) > 0 &&
         detail.slab.heightAt(middle) < room.ceiling.heightAt(middle))
-      addAt(middle, 0, WarningKind::CeilingUnseen, {-unseen});
+      addAt(middle, 0, WarningKind::PartUnseen, {unseen});
   }
   for (const PlanDetail& detail : room.floor_details) {
     const Eigen::Vector2d middle = textSpotIn(detail.boundary, {}).place;

@@ -159,6 +159,25 @@ TEST(AdjustPlan, PartsOfOneWallComeOnOneLine)
   }
 }
 
+TEST(AdjustPlan, WallsWithAStepOfMillimetresBetweenThemStayWithinIt)
+{
+  // No element of the plan is the step, so the walls can't meet where they are seen.
+  for (const double step : {0.002, 0.005, 0.01})
+    for (const unsigned seed : {1u, 2u}) {
+      const PlanLoop truth =
+          polygon({{0, 0}, {4, 0}, {4, step}, {8, step}, {8, 4}, {0, 4}});
+      RoomPoints raw(0.02, 0.005, seed);
+      raw.room(roomOf(truth, 2.5));
+      Floorplan plan = offPlan(
+          roomOf(polygon({{0, 0}, {4, step / 2}, {8, step}, {8, 4}, {0, 4}}), 2.5),
+          0.01, seed);
+      adjustPlan(plan, raw.view());
+      const auto& walls = plan.rooms[0].boundary.elements;
+      EXPECT_NEAR(walls[0].pointAt(2).y(), 0, step / 2 + 0.001) << step;
+      EXPECT_NEAR(walls[1].pointAt(2).y(), step, step / 2 + 0.001) << step;
+    }
+}
+
 TEST(AdjustPlan, AWallThatNobodySawKeepsItsPlaceAndFollowsTheOthers)
 {
   RoomPoints raw(0.02, 0.003);

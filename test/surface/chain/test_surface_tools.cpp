@@ -4,7 +4,7 @@
 #include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstring>
 

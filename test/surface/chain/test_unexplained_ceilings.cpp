@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 namespace {
 
@@ -67,7 +68,7 @@ TEST(UnexplainedCeilings, AreADeckBetweenJoistsButNoVoidAboveACeiling)
   }
 }
 
-TEST(UnexplainedCeilings, AreGapsBetweenJoistsThatNobodySawButNotBehindALamp)
+TEST(UnexplainedCeilings, AreGapsBetweenJoistsThatNobodySawButNotWhereNoSideLeadsUp)
 {
   // Of joists of 0.1 m each 0.4 m the undersides and the lowest of one side are seen.
   const Floorplan plan{{planned(1, 0, 4)}};
@@ -85,6 +86,24 @@ TEST(UnexplainedCeilings, AreGapsBetweenJoistsThatNobodySawButNotBehindALamp)
       EXPECT_NEAR(found[0].values[0], 7 * 0.3 * 3.7, 1.5) << "tiles, but for the edge";
     }
   }
+}
+
+TEST(UnexplainedCeilings, AreNoGapsOfSparseAndNoisyOnes)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  for (const float step : {0.05F, 0.15F})
+    for (const float noise : {0.02F, 0.04F}) {
+      std::mt19937 random(1);
+      std::normal_distribution<float> off(0, noise);
+      Cloud cloud = recessedRoom(0, step);
+      const std::size_t walls = cloud.size();
+      addRectangle({0, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud, step);
+      for (std::size_t i = walls; i < cloud.size(); ++i)
+        cloud[i].z += off(random);
+      plan.rooms[0].ceiling.residual = static_cast<double>(noise);
+      for (const PlanWarning& warning : unexplained(cloud, plan))
+        EXPECT_NE(warning.kind, WarningKind::CeilingUnseen) << step << ' ' << noise;
+    }
 }
 
 /** @brief A room of 4 m x 3 m x 2.5 m with parts of its ceiling at other heights. */

@@ -9,7 +9,7 @@
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <filesystem>
 #include <fstream>

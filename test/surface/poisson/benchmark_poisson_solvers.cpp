@@ -5,7 +5,6 @@
 //     benchmark_poisson_solvers STRUCTURE.pcd MESH.ply
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 #include <pcl/surface/poisson.h>
 

@@ -7,7 +7,7 @@
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -18,7 +18,7 @@
 #include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <boost/crc.hpp>
 

@@ -7,7 +7,7 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <filesystem>
 

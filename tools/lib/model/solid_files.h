@@ -10,7 +10,6 @@
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
-#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/json/floorplan_format.h"
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <algorithm>
 #include <array>

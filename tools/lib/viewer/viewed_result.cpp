@@ -7,7 +7,7 @@
 #include "scan_file.h"
 #include "tool_error.h"
 
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <filesystem>
 

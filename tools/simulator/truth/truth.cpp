@@ -6,7 +6,7 @@
 #include "simulator/scene/file/furniture.h"
 #include "simulator/scene/queries.h"
 
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <fstream>
 #include <iostream>

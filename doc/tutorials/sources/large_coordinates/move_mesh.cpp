@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Brings a model back to where the scan was: adds the origin that its header tells.
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <fstream>
 #include <iostream>

@@ -8,7 +8,7 @@
 #include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
-#include <pcl/sedr_surface/mesh_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <fstream>
 #include <iostream>

@@ -14,8 +14,8 @@
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
-#include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structural_poisson.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <fstream>
 #include <iostream>

@@ -34,7 +34,8 @@ enum class WarningKind {
   FilledIn,      ///< % of its walls not measured, inferred, unseen
   GuessedWall,   ///< m, % inferred, unseen
   CeilingApart,  ///< m2
-  CeilingUnseen, ///< m2; below 0: of a lower part
+  CeilingUnseen, ///< m2
+  PartUnseen,    ///< m2 of a lower part of a ceiling
   CeilingOff,    ///< m2 off the model, from, to m above the floor
   FloorOff,      ///< likewise
   FloorUnseen,   ///< m2
@@ -56,7 +57,7 @@ enum class WarningKind {
   SmallRoom,     ///< m2
   NarrowRoom,    ///< m
   Height,        ///< m
-  Ragged,        ///< mean m of its walls
+  ShortWalls,    ///< m: their mean
   FlatArc,       ///< rise in cm, radius in m
   InLine,        ///< m of the edge of a soffit that goes on where the wall ends
   RaisedFloor,   ///< m2, m above the floor
