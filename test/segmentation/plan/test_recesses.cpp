@@ -188,6 +188,42 @@ TEST(Recesses, NorAreThoseOfBlindsJustBehindTheWall)
     }
 }
 
+TEST(Recesses, NorIsThatOfAPaneAsWideAsTheWallThoughItsJambsEndThere)
+{
+  // Beside it strips of 12 cm and a lintel of 10 cm are seen; it may be a closed blind.
+  const PlanLoop walls = rectangle(0, 0, 4.5, 5);
+  constexpr double head = 2.7;
+  for (const auto& [rays, turn] :
+       {std::pair(1, 0.0), std::pair(1, 20.0), std::pair(1, 61.0), std::pair(6, 20.0),
+        std::pair(6, 61.0)}) {
+    SCOPED_TRACE(testing::Message() << "1 ray of " << rays << " seen");
+    RoomPoints points(0.04, 0.008);
+    const auto at = [&](const PlanElement& e) {
+      return placed({{e}}, turn, {0.01, 0.02}).elements[0];
+    };
+    const PlanLoop room = placed(walls, turn, {0.01, 0.02});
+    RoomParts parts =
+        points.room(roomOf(room, 2.8), [](const Eigen::Vector3d&) { return false; });
+    for (const std::size_t side : {0, 1, 3})
+      parts.walls = joined(parts.walls, points.wall(room.elements[side], 0, 2.8));
+    parts.walls = joined(parts.walls,
+                         points.wall(room.elements[2], 0, 2.8, [&](double s, double z) {
+                           return s < 0.12 || s > 4.38 || z > head;
+                         }));
+    int ray = 0;
+    const int every = rays;
+    for (const auto& e :
+         {segment({0.12, 5}, {0.12, 5.15}), segment({4.38, 5.15}, {4.38, 5})})
+      parts.walls = joined(parts.walls, points.wall(at(e), 0, head));
+    parts.walls = joined(
+        parts.walls, points.wall(at(segment({4.38, 5.15}, {0.12, 5.15})), 0, head,
+                                 [&](double, double) { return ++ray % every == 0; }));
+    const PlanLoop found = fitted(points, parts).boundary;
+    EXPECT_EQ(found.elements.size(), 4u) << turn;
+    EXPECT_LT(cornerError(found, room), 0.01) << turn;
+  }
+}
+
 TEST(Recesses, ASoffitThatGoesOnIntoThemEndsAtTheWall)
 {
   const PlanRoom room = fittedAbove(0.9, 0.25, all_of_it, true);
