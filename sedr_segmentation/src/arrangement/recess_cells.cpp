@@ -112,11 +112,13 @@ private:
     if (has_back && !goes_on)
       return;
     CellMask& mask = has_back && depth > deepest_reveal ? found_.closed : found_.open;
-    for (double d = step; d <= depth; d += step) {
-      const Eigen::Vector2d q = p + d * out;
-      if (const Cell cell = grid_.at(q.x(), q.y()); mask.isInside(cell))
-        mask.set(cell, 1);
-    }
+    const Eigen::Vector2d along = 0.4 * StoreyLine::bin * leftOf(out);
+    for (double d = step / 2; d <= depth; d += step)
+      for (const double side : {-1, 0, 1}) {
+        const Eigen::Vector2d q = p + d * out + side * along;
+        if (const Cell cell = grid_.at(q.x(), q.y()); mask.isInside(cell))
+          mask.set(cell, 1);
+      }
   }
 
   const CellGrid& grid_;

@@ -35,7 +35,7 @@ struct Priors : StageThresholds {
 
   // Walls and what is in them.
   double min_wall = 0.04;       ///< minimum thickness of a partition: a pane of glass
-  double max_wall = 0.6;        ///< maximum thickness of a wall, with its niches
+  double max_wall = 0.75;        ///< maximum thickness of a wall, with its niches
   double max_niche_depth = 1;   ///< deeper recesses are parts of the room
   double max_door_width = 1.6;  ///< maximum width of a door or window with a head
   double assumed_partition = 0.01; ///< thickness of a partition that was not measured
