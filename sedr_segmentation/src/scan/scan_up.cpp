@@ -169,10 +169,13 @@ public:
     const AirAlongAxis& z = air_[up.is_in_feet ? 1 : 0][2];
     if (up.axis == 2)
       return formatText(
-          "the scan seems to be upside down: %.0f things stand free on what are its "
-          "floors then, as furniture does, and %.0f on its ceilings; %.0f and %.0f "
-          "reach from wall to wall, as beams and lintels do",
-          z.high.things, z.low.things, z.high.bars, z.low.bars);
+          "the scan seems to be upside down: on what are its floors then %.0f things "
+          "stand free, as furniture does, on its ceilings %.0f; %.0f and %.0f reach "
+          "from "
+          "wall to wall, as beams and lintels do; %.0f %% and %.0f %% slope or have "
+          "ribs",
+          z.high.things, z.low.things, z.high.bars, z.low.bars, 100 * z.high.relief,
+          100 * z.low.relief);
     const auto described = [](const AirAlongAxis& air) {
       return formatText(
           "the air is %.1f m high between surfaces at %.0f and %.0f heights",
