@@ -38,7 +38,7 @@ likelihoodOfAxis(const AirAlongAxis& air, double share, const Priors& priors)
 }
 
 /** @brief Returns the log-odds of the high end of the air as ceiling and the low one as
- * floor, nats. Weights are four fifths of those of a logistic regression on 379
+ * floor, nats. Weights are four fifths of those of a logistic regression on 390
  * buildings and rooms, 11 of them real, the others simulated, two thirds of these with
  * odd things, and on noisy, thinned and cut variants of them: real ceilings vary more.
  */
