@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "air_ends.h"
+#include "end_pieces.h"
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/quantiles.h"
-#include "sedr_filters/src/grids/disjoint_sets.h"
-#include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,41 +16,8 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double cell_size = 0.1; // metres
-constexpr double cell_area = cell_size * cell_size;
-constexpr int bits = 21; // of a cell's coordinate in a key
-
-/** @brief Air between two occupied cells of a column; heights are means of points. */
-struct Gap {
-  std::uint64_t column;
-  float low;
-  float high;
-};
-
-/** @brief Indices of gaps side by side. */
-using Borders = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-/** @brief Returns the key of the column of a place, or of its cell. */
-template <typename Place>
-std::uint64_t
-columnKey(const Place& place)
-{
-  constexpr double origin = 1 << (bits - 1);
-  std::uint64_t key = 0;
-  for (Eigen::Index k = 0; k < place.size(); ++k)
-    key = key << bits |
-          static_cast<std::uint64_t>(std::floor(place[k] / cell_size) + origin);
-  return key;
-}
-
-bool
-isBefore(const Gap& gap, std::uint64_t column)
-{
-  return gap.column < column;
-}
-
 /** @brief Returns the gaps by column. */
-std::vector<Gap>
+std::vector<ColumnGap>
 gapsAlong(const PointView& points,
           const std::vector<int>& indices,
           const Eigen::Matrix3d& axes)
@@ -67,7 +33,7 @@ gapsAlong(const PointView& points,
     cells.emplace_back(columnKey(p), static_cast<float>(p.z()));
   }
   std::sort(cells.begin(), cells.end());
-  std::vector<Gap> gaps;
+  std::vector<ColumnGap> gaps;
   std::uint64_t last = 0;
   float height_of_last = 0;
   for (std::size_t i = 0; i < cells.size();) {
@@ -77,8 +43,9 @@ gapsAlong(const PointView& points,
     for (; i < cells.size() && cells[i].first == key; ++i)
       sum += cells[i].second;
     const auto height = static_cast<float>(sum / static_cast<double>(i - first));
-    if (key >> bits == last >> bits && key - last > least && key - last <= most + 1)
-      gaps.push_back({key >> bits, height_of_last, height});
+    if (key >> air_columns::bits == last >> air_columns::bits && key - last > least &&
+        key - last <= most + 1)
+      gaps.push_back({key >> air_columns::bits, height_of_last, height});
     last = key;
     height_of_last = height;
   }
@@ -88,12 +55,13 @@ gapsAlong(const PointView& points,
 /** @brief Returns each gap with the one beside it, along both axes, that it has most
  * air in common with. Columns without any are passed over: a sparse scan shows surfaces
  * in lines. */
-Borders
-bordersOf(const std::vector<Gap>& gaps)
+GapBorders
+bordersOf(const std::vector<ColumnGap>& gaps)
 {
   constexpr std::uint64_t reach = 4; // cells
-  Borders borders;
-  for (const std::uint64_t step : {std::uint64_t{1}, std::uint64_t{1} << bits})
+  GapBorders borders;
+  for (const std::uint64_t step :
+       {std::uint64_t{1}, std::uint64_t{1} << air_columns::bits})
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       float most = 0;
       std::size_t best = i;
@@ -131,7 +99,7 @@ entropyOf(const std::vector<double>& parts)
 /** @brief Returns the entropy of heights in steps of a cell, from where they fit best;
  * the first gaps of all columns, the second ones, ... by themselves, as storeys are. */
 double
-entropyOfHeights(const std::vector<Gap>& gaps, float Gap::*end)
+entropyOfHeights(const std::vector<ColumnGap>& gaps, float ColumnGap::*end)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const double start : {0.0, 0.5}) {
@@ -140,7 +108,7 @@ entropyOfHeights(const std::vector<Gap>& gaps, float Gap::*end)
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       number = i > 0 && gaps[i].column == gaps[i - 1].column ? number + 1 : 0;
       levels.resize(std::max(levels.size(), number + 1));
-      levels[number][std::floor(gaps[i].*end / cell_size + start)] += 1;
+      levels[number][std::floor(gaps[i].*end / air_columns::size + start)] += 1;
     }
     double sum = 0;
     for (const auto& of_storey : levels) {
@@ -157,52 +125,18 @@ entropyOfHeights(const std::vector<Gap>& gaps, float Gap::*end)
   return least;
 }
 
-/** @brief The pieces of an end surface, each with the index of its first gap. */
-struct Pieces {
-  std::vector<std::uint32_t> of; ///< piece of each gap
-  std::vector<double> areas;     ///< square metres
-  std::vector<double> rises;     ///< sum of steps from the pieces beside into the air
-};
-
-Pieces
-piecesOf(const std::vector<Gap>& gaps, const Borders& borders, float Gap::*end)
-{
-  constexpr float least_step = 0.2F; // metres
-  const float into_air = end == &Gap::low ? 1 : -1;
-  DisjointSets<> sets(gaps.size());
-  for (const auto& [a, b] : borders)
-    if (std::abs(gaps[a].*end - gaps[b].*end) < least_step)
-      sets.join(a, b);
-  Pieces pieces;
-  pieces.areas.assign(gaps.size(), 0);
-  pieces.rises.assign(gaps.size(), 0);
-  for (std::uint32_t i = 0; i < gaps.size(); ++i) {
-    pieces.of.push_back(sets.find(i));
-    pieces.areas[pieces.of[i]] += cell_area;
-  }
-  for (const auto& [a, b] : borders)
-    if (pieces.of[a] != pieces.of[b]) {
-      const double step = into_air * (gaps[a].*end - gaps[b].*end);
-      pieces.rises[pieces.of[a]] += step;
-      pieces.rises[pieces.of[b]] -= step;
-    }
-  return pieces;
-}
-
-constexpr double large_area = 2; // square metres
-
 /** @brief Returns the share of steps within large pieces, off their rims. */
 double
-reliefOf(const std::vector<Gap>& gaps,
-         const Borders& borders,
-         const Pieces& pieces,
-         float Gap::*end)
+reliefOf(const std::vector<ColumnGap>& gaps,
+         const GapBorders& borders,
+         const EndPieces& pieces,
+         float ColumnGap::*end)
 {
   constexpr float least_step = 0.03F; // metres
   std::vector<int> beside(gaps.size(), 0);
-  const auto isWithin = [&](const Borders::value_type& border) {
+  const auto isWithin = [&](const GapBorders::value_type& border) {
     return pieces.of[border.first] == pieces.of[border.second] &&
-           pieces.areas[pieces.of[border.first]] >= large_area;
+           pieces.isLarge(pieces.of[border.first]);
   };
   for (const auto& border : borders)
     if (isWithin(border)) {
@@ -226,16 +160,16 @@ reliefOf(const std::vector<Gap>& gaps,
  * of the end about them, where a scanner sees it. At most 9 to 1 against it: they may
  * stand on shelves. */
 double
-oddsOfStations(const std::vector<Gap>& gaps,
+oddsOfStations(const std::vector<ColumnGap>& gaps,
                const std::vector<Eigen::Vector3d>& stations,
-               float Gap::*end)
+               float ColumnGap::*end)
 {
   constexpr double usual =
       1.6; // metres, give or take a quarter; a room is 3 times as wide
   double odds = 0;
   for (const Eigen::Vector3d& station : stations) {
     std::vector<double> heights;
-    for (double x = -usual; x < usual; x += cell_size) {
+    for (double x = -usual; x < usual; x += air_columns::size) {
       const auto columnAt = [&](double y) {
         return columnKey(station.head<2>() + Eigen::Vector2d(x, y));
       };
@@ -254,29 +188,18 @@ oddsOfStations(const std::vector<Gap>& gaps,
 }
 
 EndSurface
-surfaceOf(const std::vector<Gap>& gaps,
-          const Borders& borders,
+surfaceOf(const std::vector<ColumnGap>& gaps,
+          const GapBorders& borders,
           const std::vector<Eigen::Vector3d>& stations,
-          float Gap::*end)
+          float ColumnGap::*end)
 {
-  const Pieces pieces = piecesOf(gaps, borders, end);
+  const EndPieces pieces = piecesOf(gaps, borders, end);
   EndSurface surface;
-  std::vector<double> base;
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    const double area = pieces.areas[i];
-    const bool stands_out = pieces.rises[i] > 0;
-    if (stands_out && area < Priors().max_furniture_area)
-      surface.things += area;
-    if (area >= large_area) {
-      surface.large += area;
-      if (!stands_out)
-        base.push_back(area);
-    }
-  }
-  const double whole = cell_area * static_cast<double>(gaps.size());
-  surface.things /= whole;
-  surface.large /= whole;
-  surface.pieces = std::exp(entropyOf(base));
+  const ThingCounts counts = thingsOf(gaps, pieces, end);
+  surface.things = counts.things;
+  surface.bars = counts.bars;
+  for (const std::uint32_t piece : pieces.of)
+    surface.large += pieces.isLarge(piece) ? 1.0 / static_cast<double>(gaps.size()) : 0;
   surface.relief = reliefOf(gaps, borders, pieces, end);
   surface.levels = entropyOfHeights(gaps, end);
   surface.stations = oddsOfStations(gaps, stations, end);
@@ -293,18 +216,18 @@ airAlong(const PointView& points,
 {
   for (Eigen::Vector3d& station : stations)
     station = axes * station;
-  const std::vector<Gap> gaps = gapsAlong(points, indices, axes);
+  const std::vector<ColumnGap> gaps = gapsAlong(points, indices, axes);
   AirAlongAxis air;
   if (gaps.empty())
     return air;
   std::vector<double> heights;
-  for (const Gap& gap : gaps)
+  for (const ColumnGap& gap : gaps)
     heights.push_back(gap.high - gap.low);
-  const Borders borders = bordersOf(gaps);
-  air.area = cell_area * static_cast<double>(gaps.size());
+  const GapBorders borders = bordersOf(gaps);
+  air.area = air_columns::size * air_columns::size * static_cast<double>(gaps.size());
   air.height = middleValue(heights);
-  air.low = surfaceOf(gaps, borders, stations, &Gap::low);
-  air.high = surfaceOf(gaps, borders, stations, &Gap::high);
+  air.low = surfaceOf(gaps, borders, stations, &ColumnGap::low);
+  air.high = surfaceOf(gaps, borders, stations, &ColumnGap::high);
   return air;
 }
 

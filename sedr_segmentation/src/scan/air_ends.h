@@ -10,16 +10,17 @@
 namespace pcl::sedr {
 
 /** @brief One of the two surfaces at which the air along an axis ends. Its pieces are
- * connected without steps of 0.2 m; those that stand out into the air from what is
- * beside them, up to the area of furniture, are things. */
+ * connected without steps of 0.2 m. Small ones that stand out into the air from what is
+ * beside them, 1.3 m at most, are things, if an end of them stands free, and bars, if
+ * both ends meet walls; less than 0.25 square metres count as a part of one. */
 struct EndSurface {
   double levels =
       0;            ///< entropy of its heights in steps of 0.1 m, nats: the mean of
                     ///< those of the first gaps of all columns, of the second ones, ...
   double large = 0; ///< share of pieces of 2 square metres and more
-  double things = 0;   ///< share of things
+  double things = 0;   ///< number of them; a third of those that leave headroom
+  double bars = 0;     ///< number of those below 0.5 m of width that leave headroom
   double relief = 0;   ///< share of steps of 3 cm in 10 cm within large pieces
-  double pieces = 1;   ///< number of large ones that do not stand out: exp(entropy)
   double stations = 0; ///< log-odds that scanners stand on it, not anywhere, nats
 };
 

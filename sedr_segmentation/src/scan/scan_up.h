@@ -46,8 +46,10 @@ struct KnownOfScan {
  * counts one, storey by storey), in large pieces without steps of 0.2 m (log-odds of
  * the share of pieces of at least 2 square metres), about 2.8 m apart, and show most of
  * the air. Of the two, floors have things on them: small pieces that stand out into the
- * air. Floors go on through doors, while walls and lintels part ceilings. Smooth relief
- * that things do not explain, such as slopes, vaults and ribs, is that of a ceiling.
+ * air and do not reach from wall to wall; those that leave no headroom cannot hang.
+ * Beams and lintels reach from wall to wall and leave headroom: they are a ceiling's.
+ * Smooth relief that things do not explain, such as slopes, vaults and ribs, is that of
+ * a ceiling.
  * Scanners stand some 1.6 m above a floor. None of these is certain. Feet are tried as
  * well, unless the unit is known. An inclined scan is certain, see tiltOf(). For
  * thinned points; O(n log n).

@@ -114,8 +114,9 @@ stairwellOf(const PlanStair& stair)
 }
 
 /** @brief Adds the flights of all stairs: up to 1.2 m above the lower room's floor on a
- * plan with that room, whole on one that has the upper room only, without what lies
- * below another flight that is drawn. */
+ * plan with that room, whole on one that has the upper room only. What lies below
+ * another flight that is drawn is left out, and what of a flight with an end in the
+ * room is outside its walls. */
 void
 addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
 {
@@ -151,11 +152,16 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
     for (std::size_t k = 0; k + 1 < flight.below; ++k)
       if (!isSeen((flight.flight->middle(k) + flight.flight->middle(k + 1)) / 2))
         first = k + 1;
+    const PlanRoom& room = *findRoom(plan, flight.room);
+    const bool is_within = room.contains(flight.flight->middle(0)) ||
+                           room.contains(flight.flight->middle(flight.below - 1));
     for (const PlanElement& line : first + 1 < flight.below
                                        ? flight.linesFrom(first)
                                        : std::vector<PlanElement>())
-      for (const PlanElement& part :
-           partsWhere(line, [&](double s) { return isSeen(line.pointAt(s)); }))
+      for (const PlanElement& part : partsWhere(line, [&](double s) {
+             const Eigen::Vector2d p = line.pointAt(s);
+             return isSeen(p) && (!is_within || room.contains(p));
+           }))
         if (part.length() > beside)
           lines.push_back({part, PlanLayer::Stair, flight.room});
     above.push_back(flight.outline());

@@ -115,7 +115,8 @@ const std::vector<Column<OpeningRow>> opening_columns{
      [](const OpeningRow& o) { return o.leaf.empty() ? "" : roomText(o.swing); }},
     {"from_room", [](const OpeningRow& o) { return roomText(o.rooms[0]); }},
     {"to_room", [](const OpeningRow& o) { return roomText(o.rooms[1]); }},
-    {"confidence_percent", [](const OpeningRow& o) { return percent(o.confidence); }}};
+    {"kind_probability_percent",
+     [](const OpeningRow& o) { return percent(o.confidence); }}};
 
 const std::vector<Column<WallRow>> wall_columns{
     {"number", [](const WallRow& w) { return w.number; }},

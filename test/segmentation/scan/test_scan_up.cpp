@@ -111,6 +111,33 @@ TEST(ScanUp, OfAVaultBelowAFloorIsDoubted)
   EXPECT_NE(doubt.reason.find("upside down"), std::string::npos) << doubt.reason;
 }
 
+TEST(ScanUp, BarsFromWallToWallAreOfACeilingIfTheyLeaveHeadroomThingsAreOfAFloor)
+{
+  struct Case {
+    PlanLoop loop;
+    double height; // of the upper side of a thing, or the lower one of a bar
+    bool is_told;  // upside down
+  };
+  const Eigen::Matrix3d turn = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  for (const double yaw : {0.0, 0.4})
+    for (const Case& thing :
+         {Case{rectangle(2.3, 0, 2.6, 4), 2.2, true},     // a beam
+          Case{rectangle(0, 3.7, 6, 4), 2.2, true},       // one at a wall
+          Case{rectangle(2, 1, 3.5, 1.8), 0.9, true},     // a counter
+          Case{rectangle(2.3, 0, 2.6, 4), 1.1, false},    // a parapet
+          Case{rectangle(2.3, 0, 3.6, 4), 2.3, false},    // a soffit, or a stage
+          Case{rectangle(2, 1, 2.3, 1.3), 0.9, false}}) { // a stool
+      RoomPoints room(0.05);
+      room.room(rectangle(0, 0, 6, 4), 0, 2.6);
+      room.slab(thing.loop, thing.height);
+      const RoomPoints upright = rotated(
+          room, Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+      EXPECT_EQ(doubtOf(upright).reason, "") << thing.height;
+      const UpDoubt doubt = doubtOf(rotated(upright, turn));
+      EXPECT_EQ(doubt.isDoubtful(), thing.is_told) << thing.height << ' ' << doubt.nats;
+    }
+}
+
 TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
 {
   for (const Eigen::Vector3d& size :

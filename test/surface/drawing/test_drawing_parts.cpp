@@ -74,6 +74,26 @@ TEST(StairDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
   EXPECT_TRUE(holds(sheet, ">up<") && holds(sheet, ">down to room 2<"));
 }
 
+TEST(StairDrawing, AFlightEndsAtTheWallsOfItsRoom)
+{
+  Floorplan plan = storeysWithFlight();
+  for (PlanFlight::Riser& riser : plan.stairs[0].flights[0].risers)
+    for (Eigen::Vector2d& end : riser)
+      end.y() -= 0.9; // most of its lower side is behind a wall
+  const auto storeys = storeysOf(plan);
+  for (std::size_t s = 0; s < 2; ++s) {
+    const PlanRoom& room = plan.rooms[s == 0 ? 1 : 3];
+    std::size_t count = 0;
+    for (const PlanLine& line : PlanDrawing(plan, sheetOf(storeys[s]), 0).lines)
+      if (line.layer == PlanLayer::Stair && !line.element.isArc()) {
+        ++count;
+        EXPECT_TRUE(room.contains(line.element.pointAt(line.element.length() / 2)));
+        EXPECT_GT(std::min(line.element.start.y(), line.element.end.y()), -0.03);
+      }
+    EXPECT_GT(count, 6u);
+  }
+}
+
 TEST(StairDrawing, WhereAStairLeadsIsWrittenInItsRoom)
 {
   // The ceiling has an edge before the foot of the stair, which texts avoid.
