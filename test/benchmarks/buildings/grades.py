@@ -232,17 +232,6 @@ def pair_flights(true, found):
     return pairs
 
 
-def flight_errors(true, found):
-    """Steps too many, degrees between the directions, centimetres that the foot is too far on, the width too large, bottom and top too high."""
-    t, f = np.array(true["risers"], float), np.array(found["risers"], float)
-    across = [(r[:, 1] - r[:, 0]).mean(axis=0) for r in (t, f)]
-    cosine = across[0] @ across[1] / np.linalg.norm(across[0]) / np.linalg.norm(across[1])
-    wide = [np.linalg.norm(r[:, 1] - r[:, 0], axis=1).mean() for r in (t, f)]
-    along = (f[0] - t[0]).mean(axis=0) @ np.array([-across[0][1], across[0][0]]) / np.linalg.norm(across[0])
-    return {"steps": found["steps"] - true["steps"], "foot": 100 * along, "degrees": math.degrees(math.acos(min(1.0, cosine))),
-            "width": 100 * (wide[1] - wide[0]), "bottom": 100 * (found["bottom"] - true["bottom"]), "top": 100 * (found["top"] - true["top"])}
-
-
 def found_flights(plan):
     return [f for s in plan.get("stairs", []) for f in s.get("flights", [])]
 
