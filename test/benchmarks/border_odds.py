@@ -17,6 +17,7 @@ import subprocess
 import numpy as np
 
 from buildings import grades
+from proving import pcd
 
 NAMES = "any dip open neck drop stacked depth outline share".split()
 RIDGE = 1e-3  # of coefficients that the examples do not tell
@@ -89,7 +90,7 @@ def owners(gaps, folder):
     """The true room of each basin, if it is that of four fifths of its gaps."""
     of_gap = np.full(len(gaps), -1)
     truth = json.loads((folder / "truth.json").read_text(encoding="utf-8"))
-    for k, place in enumerate(grades.true_places(truth, grades.read_points(folder / "scan.pcd"))):
+    for k, place in enumerate(grades.true_places(truth, pcd.read(folder / "scan.pcd"))):
         high = np.minimum(gaps[:, 4], place.high) - np.maximum(gaps[:, 3], place.low)
         is_in = grades.within(np.array(place.plan.exterior.coords)[:-1, :2], gaps[:, 1:3])
         of_gap[is_in & (high > 0.5 * np.minimum(gaps[:, 4] - gaps[:, 3], place.high - place.low))] = k

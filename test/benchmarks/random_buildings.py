@@ -17,6 +17,7 @@ from buildings.kinds import KINDS
 try:
     import opening_grades
     from buildings import grades, instrument, pictures
+    from proving import pcd
 except ImportError as error:
     sys.exit(f"random_buildings.py: the Python package {error.name} is missing; on Debian: "
              "apt install python3-numpy python3-scipy python3-shapely python3-matplotlib, and use /usr/bin/python3")
@@ -36,7 +37,7 @@ def one_building(seed, folder, options):
     if kept:
         shown = ("rooms", "matched_0.7", "missed", "merged", "split", "shape", "extra", "storeys", "storeys_found")
         title = f"{row['kind']} {seed}: " + ", ".join(f"{k} {row[k]}" for k in shown)
-        pictures.draw(kept / "rooms.png", title, graded, grades.read_points(folder / "scan.pcd"))
+        pictures.draw(kept / "rooms.png", title, graded, pcd.read(folder / "scan.pcd"))
     return row
 
 

@@ -16,6 +16,7 @@ from buildings.shaped import build
 
 try:
     from buildings import grades, pictures
+    from proving import pcd
 except ImportError as error:
     sys.exit(f"random_shapes.py: the Python package {error.name} is missing; on Debian: "
              "apt install python3-numpy python3-scipy python3-shapely python3-matplotlib, and use /usr/bin/python3")
@@ -53,7 +54,7 @@ def one_scene(seed, folder, options):
     if kept:
         shown = ("rooms", "rooms_found", "closed", "mean_cm", "near", "max_cm")
         title = f"{row['kind']} {seed}: " + ", ".join(f"{k} {row[k]}" for k in shown)
-        pictures.draw(kept / "rooms.png", title, graded, grades.read_points(folder / "scan.pcd"))
+        pictures.draw(kept / "rooms.png", title, graded, pcd.read(folder / "scan.pcd"))
     return row
 
 

@@ -24,6 +24,7 @@ try:
     from scipy.optimize import linear_sum_assignment
     from shapely.affinity import affine_transform
     from buildings import grades
+    from proving import meshes, pcd
 except ImportError as error:
     sys.exit(f"scan_variants.py: the Python package {error.name} is missing; on Debian: "
              "apt install python3-numpy python3-scipy python3-shapely, and use /usr/bin/python3")
@@ -93,26 +94,13 @@ def read_points(scan, folder, options):
                               "--scan-axes"], options.timeout)
     if code != 0:
         raise RuntimeError(f"{scan}: {text}")
-    data = file.read_bytes()
-    start = data.index(b"DATA binary\n") + len(b"DATA binary\n")
-    header = dict(line.split(" ", 1) for line in data[:start].decode().splitlines() if " " in line)
-    sizes = [int(s) for s in header["SIZE"].split()]
-    form = np.dtype({"names": ["x", "y", "z"], "formats": ["<f4"] * 3, "offsets": [0, 4, 8], "itemsize": sum(sizes)})
-    points = np.frombuffer(data, form, int(header["POINTS"]), start)
-    points = np.stack([points["x"], points["y"], points["z"]], -1).astype(float)
+    points = pcd.places(pcd.read(file))
     return points[np.isfinite(points).all(1)]
-
-
-def write_points(path, points):
-    points = points.astype("<f4")
-    header = (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {len(points)}\nHEIGHT 1\n"
-              f"VIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\nDATA binary\n")
-    path.write_bytes(header.encode() + points.tobytes())
 
 
 def rooms_of(points, folder, options):
     """The rooms that pcl_sedr finds, with its exit code and seconds."""
-    write_points(folder / "scan.pcd", points)
+    meshes.write_xyz(folder / "scan.pcd", points)
     plan = folder / "out" / "floorplan.json"
     plan.unlink(missing_ok=True)
     figures, _ = runs.model(folder, options)

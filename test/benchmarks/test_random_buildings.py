@@ -16,6 +16,7 @@ try:
     import numpy as np
 
     from buildings import grades, instrument
+    from proving import pcd
 except ImportError:
     grades = None  # numpy, scipy or shapely is missing: what needs no grade is tested
 
@@ -146,12 +147,12 @@ class Grades(unittest.TestCase):
         self.assertEqual(figures["matched_0.5"], 0)
 
     def test_may_count_every_room_though_little_of_it_was_seen(self):
-        points = grades.read_points(self.folder / "scan.pcd")
+        points = pcd.read(self.folder / "scan.pcd")
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             for file, content in (("truth.json", self.truth), ("floorplan.json", plan_of(self.truth))):
                 (folder / file).write_text(json.dumps(content), encoding="utf-8")
-            grades.write_points(folder / "scan.pcd", points[points["label"] != 2])  # no floors
+            pcd.write(folder / "scan.pcd", points[points["label"] != 2])  # no floors
             self.assertEqual(grades.grade(folder, folder)[0]["rooms"], 0)
             figures = grades.grade(folder, folder, every_room=True)[0]
         self.assertEqual((figures["all_right"], figures["rooms"]), (1, len(self.truth["rooms"])))

@@ -62,6 +62,12 @@ TYPED_TEST_P(Contract, OnePointDoesNoHarm)
 TYPED_TEST_P(Contract, NoPointsOrNothingButNaNGiveNothing)
 {
   EXPECT_EQ(this->runOn(std::make_shared<Cloud>()).size, 0u);
+  if (TypeParam::uses_indices) {
+    TypeParam stage;
+    stage.setInput(sampleRoom());
+    stage.setIndices(std::make_shared<pcl::Indices>());
+    EXPECT_EQ(stage.run().size, 0u);
+  }
   auto cloud = std::make_shared<Cloud>();
   const float none = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 100; ++i)
@@ -243,7 +249,7 @@ TYPED_TEST_P(Contract, RoomsTenKilometresApartAreNoBurden)
 
 TYPED_TEST_P(Contract, AnyNumberOfThreadsGivesTheSameBytes)
 {
-  const auto cloud = withHoles(*sampleRoom(5, 8));
+  const auto cloud = withHoles(*sampleRoom(5, 14)); // several blocks of points
   const Outcome one = this->runOn(cloud, 1);
   for (const unsigned threads : {1u, 3u, 0u})
     EXPECT_EQ(this->runOn(cloud, threads).all, one.all) << threads << " threads";

@@ -91,13 +91,6 @@ class IfcSchema(unittest.TestCase):
         self.assertEqual(self.problems(instances), [])
         self.assertNotIn("IFCMAPCONVERSION", {name for name, _ in instances.values()})
 
-    def test_plans_named_in_the_environment(self):
-        """SEDR_PLANS: files of plans, parted by colons; for plans of real scans."""
-        for plan in filter(None, os.environ.get("SEDR_PLANS", "").split(":")):
-            path = os.path.join(self.folder, "real.ifc")
-            self.assertEqual(os.spawnv(os.P_WAIT, TOOL, [TOOL, plan, path]), 0, plan)
-            self.assertEqual(self.problems(step_reader.read(path)), [], plan)
-
     def test_the_check_itself(self):
         """Each fault is found."""
         path = write(TOOL, house(), self.folder)

@@ -16,19 +16,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Returns the area of a straight wall in plan. */
-double
-areaOf(const PlanWall& wall)
-{
-  double area = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto& a = wall.outline[k];
-    const auto& b = wall.outline[(k + 1) % 4];
-    area += (a.x() * b.y() - b.x() * a.y()) / 2;
-  }
-  return std::abs(area);
-}
-
 std::vector<PlanWall>
 pairsOf(const std::vector<PlanWall>& walls)
 {
@@ -36,20 +23,6 @@ pairsOf(const std::vector<PlanWall>& walls)
   std::copy_if(walls.begin(), walls.end(), std::back_inserter(pairs),
                [](const PlanWall& wall) { return wall.other.has_value(); });
   return pairs;
-}
-
-TEST(PlanWalls, OfOneRoomAreAssumedAndMeetAtMitres)
-{
-  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
-  const auto walls = findWalls(plan);
-  ASSERT_EQ(walls.size(), 4u);
-  double area = 0;
-  for (const PlanWall& wall : walls) {
-    EXPECT_TRUE(wall.isAssumed());
-    EXPECT_DOUBLE_EQ(wall.thickness, 0.2);
-    area += areaOf(wall);
-  }
-  EXPECT_NEAR(area, 4.4 * 3.4 - 4 * 3, 1e-9) << "corners are filled, once";
 }
 
 /** A window in the middle of an element of the first room of a plan. */
@@ -71,22 +44,6 @@ windowIn(const Floorplan& plan, std::size_t element, double depth)
           depth};
 }
 
-TEST(PlanWalls, OfOneFaceAreAsThickAsRevealsShow)
-{
-  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
-  plan.openings = {windowIn(plan, 0, 0.27), windowIn(plan, 1, 0.12), // up to its pane
-                   windowIn(plan, 2, 0.33)};
-  const auto walls = findWalls(plan);
-  ASSERT_EQ(walls.size(), 4u);
-  const double thickness[] = {0.27, 0.27, 0.33, 0.27};
-  const ThicknessSource source[] = {ThicknessSource::Reveals, ThicknessSource::Storey,
-                                    ThicknessSource::Reveals, ThicknessSource::Storey};
-  for (const PlanWall& wall : walls) {
-    EXPECT_DOUBLE_EQ(wall.thickness, thickness[wall.face.element]);
-    EXPECT_EQ(wall.source, source[wall.face.element]) << wall.face.element;
-  }
-}
-
 TEST(PlanWalls, OfUnseenRevealsOrBeforeARoomAreAssumed)
 {
   Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
@@ -100,18 +57,6 @@ TEST(PlanWalls, OfUnseenRevealsOrBeforeARoomAreAssumed)
     EXPECT_EQ(wall.isAssumed(),
               wall.face == (WallFace{0, 1}) || wall.face == (WallFace{1, 3}))
         << wall.face.room << "." << wall.face.element;
-}
-
-TEST(PlanWalls, BetweenTwoRoomsThereIsOneOfBothFaces)
-{
-  const Floorplan plan{
-      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.15, 0, 8, 3), 2.5, 2)}};
-  const auto walls = findWalls(plan);
-  EXPECT_EQ(walls.size(), 7u);
-  const auto pairs = pairsOf(walls);
-  ASSERT_EQ(pairs.size(), 1u);
-  EXPECT_NEAR(pairs[0].thickness, 0.15, 1e-12);
-  EXPECT_NEAR(pairs[0].stretch.length(), 3, 1e-12);
 }
 
 TEST(PlanWalls, AFaceWithTwoRoomsBehindItIsPartedWithoutAGap)

@@ -8,8 +8,6 @@ import shutil
 import subprocess
 import tempfile
 
-import step_reader
-
 READER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "web_ifc_volumes.js")
 NODE = shutil.which("node") or shutil.which("nodejs")
 SOLID_KINDS = ("IFCSPACE", "IFCWALL", "IFCSLAB", "IFCCOLUMN", "IFCBEAM", "IFCCOVERING")

@@ -226,20 +226,4 @@ TEST(Chain, leaves_a_wall_of_windows_where_its_lintel_is)
   }
 }
 
-TEST(Chain, names_the_stage_that_found_nothing)
-{
-  pcl::PointCloud<pcl::PointXYZ>::Ptr floor(new pcl::PointCloud<pcl::PointXYZ>);
-  for (int x = 0; x < 100; ++x)
-    for (int y = 0; y < 100; ++y)
-      floor->emplace_back(0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y),
-                          0.f);
-  Reconstruction chain;
-  chain.setInputCloud(floor);
-  pcl::PolygonMesh output;
-  chain.reconstruct(output);
-  EXPECT_TRUE(output.polygons.empty());
-  EXPECT_EQ(chain.getModel().failed_stage, "RoomSegmentation");
-  EXPECT_NE(chain.getErrorMessage().find("ceiling"), std::string::npos);
-}
-
 } // namespace

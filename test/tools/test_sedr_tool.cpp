@@ -276,22 +276,6 @@ TEST_F(SedrTool, KeepsTheOldModelWhereTheNewOneDoesNotFit)
   }
 }
 
-TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)
-{
-  RoomScan scan = scanOf();
-  for (auto& p :
-       scan.points) { // 20 m off: as metres these would be too far for a float
-    p.x = 1000 * p.x + 20000;
-    p.y *= 1000;
-    p.z *= 1000;
-  }
-  expectFailure(onFile(scan.pcd(false)), 1, "--unit 0.001");
-  const ProgramRun result = onFile(scan.pcd(false), {"--unit", "0.001"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
-  EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
-}
-
 TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
 {
   const std::string bytes =

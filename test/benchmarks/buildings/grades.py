@@ -9,6 +9,8 @@ from scipy.optimize import linear_sum_assignment
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
+from proving import pcd
+
 CHORD = 0.05        # metres along an arc
 CELL = 0.25         # metres, of the plan cells that count as seen or not
 LEAST_SEEN = (0.5, 0.8)  # shares of the cells of its floor and of its ceiling that must be seen for a room to count
@@ -91,23 +93,6 @@ def found_places(plan):
             inside = shape.representative_point()
             places.append(Place(str(room.get("id")), shape, z_at(room["floor"], inside), z_at(room["ceiling"], inside)))
     return places
-
-
-def read_points(path):
-    """x, y, z, label and room of the simulator's scan.pcd."""
-    with open(path, "rb") as file:
-        data = file.read()
-    start = data.index(b"DATA binary\n") + len(b"DATA binary\n")
-    form = np.dtype([("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("label", "<u4"), ("room", "<u4")])
-    return np.frombuffer(data, form, offset=start)
-
-
-def write_points(path, points):
-    """Writes what read_points() reads."""
-    header = (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z label room\nSIZE 4 4 4 4 4\nTYPE F F F U U\nCOUNT 1 1 1 1 1\n"
-              f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\nDATA binary\n")
-    with open(path, "wb") as file:
-        file.write(header.encode() + points.tobytes())
 
 
 def within(loop, points):
@@ -232,17 +217,6 @@ def pair_flights(true, found):
     return pairs
 
 
-def flight_errors(true, found):
-    """Steps too many, degrees between the directions, centimetres that the foot is too far on, the width too large, bottom and top too high."""
-    t, f = np.array(true["risers"], float), np.array(found["risers"], float)
-    across = [(r[:, 1] - r[:, 0]).mean(axis=0) for r in (t, f)]
-    cosine = across[0] @ across[1] / np.linalg.norm(across[0]) / np.linalg.norm(across[1])
-    wide = [np.linalg.norm(r[:, 1] - r[:, 0], axis=1).mean() for r in (t, f)]
-    along = (f[0] - t[0]).mean(axis=0) @ np.array([-across[0][1], across[0][0]]) / np.linalg.norm(across[0])
-    return {"steps": found["steps"] - true["steps"], "foot": 100 * along, "degrees": math.degrees(math.acos(min(1.0, cosine))),
-            "width": 100 * (wide[1] - wide[0]), "bottom": 100 * (found["bottom"] - true["bottom"]), "top": 100 * (found["top"] - true["top"])}
-
-
 def found_flights(plan):
     return [f for s in plan.get("stairs", []) for f in s.get("flights", [])]
 
@@ -270,7 +244,7 @@ def grade(folder, output, every_room=False):
         with open(path, encoding="utf-8") as file:
             plan = json.load(file)
     found = found_places(plan)
-    places = read_openings(true_places(truth, read_points(os.path.join(folder, "scan.pcd"))), truth["links"], found)
+    places = read_openings(true_places(truth, pcd.read(os.path.join(folder, "scan.pcd"))), truth["links"], found)
     wanted = [p for p in places if every_room or p.counts()]
     rest = [p for p in places if p not in wanted]
     table = np.array([[iou(t, f) for f in found] for t in wanted]).reshape(len(wanted), len(found))

@@ -2,7 +2,7 @@
 """Errors of terrestrial scanners that the simulator's rays do not have: registration, mixed pixels, faint grazing returns. Metres."""
 import numpy as np
 
-from . import grades
+from proving import pcd
 
 SHIFT = (0.006, 0.006, 0.003)       # registration of a station, standard deviations along x, y and z
 TURN = np.radians((0.02, 0.02, 0.04))  # the same of its rotations about x, y and z
@@ -16,11 +16,11 @@ NOISE_AT_10_M = 0.003               # standard deviation added along the ray, pr
 def spoil(folder, seed):
     """Gives scan.pcd of a folder of the simulator these errors."""
     stations = np.loadtxt(folder / "positions.txt", ndmin=2)
-    grades.write_points(folder / "scan.pcd", measure(grades.read_points(folder / "scan.pcd"), stations, seed))
+    pcd.write(folder / "scan.pcd", measure(pcd.read(folder / "scan.pcd"), stations, seed))
 
 
 def measure(points, stations, seed):
-    """The points of grades.read_points() as scanned from `stations`, rows of x y z and number of points, in the same form."""
+    """The points of a scan as scanned from `stations`, rows of x y z and number of points, in the same form."""
     rng = np.random.default_rng([seed, 7])
     ends = np.cumsum(stations[:, 3]).astype(int)
     return np.concatenate([measure_station(points[end - int(s[3]):end], s[:3], rng) for s, end in zip(stations, ends)])

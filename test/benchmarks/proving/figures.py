@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from label_grades import Grades
-from proving import meshes, plans
+from proving import meshes, pcd, plans
 from proving.programs import output_of
 
 DETAIL_ZONE = 0.10   # metres around the true details
@@ -47,7 +47,7 @@ def of_solid(run, rooms):
 
 def of_structure(run, samples):
     reached = evaluate(run, run.folder / "truth.ply", "--cloud", run.out / "structure.pcd")["cloud_to_mesh"]
-    near, _ = cKDTree(meshes.read_xyz(run.out / "structure.pcd")).query(samples.astype("f4"), distance_upper_bound=2 * POINT_REACH)
+    near, _ = cKDTree(pcd.places(pcd.read(run.out / "structure.pcd"))).query(samples.astype("f4"), distance_upper_bound=2 * POINT_REACH)
     return {"points_to_truth_mean": reached["mean"], "points_to_truth_max": reached["max"],
             "points_beyond_5cm": 1 - reached["within_5cm"], "truth_covered": float(np.mean(near <= POINT_REACH))}
 

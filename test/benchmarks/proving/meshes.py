@@ -4,6 +4,8 @@ import re
 
 import numpy as np
 
+from proving import pcd
+
 TYPES = {"float": "<f4", "double": "<f8", "uchar": "u1", "int": "<i4", "uint": "<u4"}
 WALL, DETAIL, COLUMN = 3, 4, 5
 
@@ -59,22 +61,13 @@ def write_mesh(path, mesh):
                      "property uchar label\nproperty int room\nend_header\n".encode() + points.astype("<f8").tobytes() + faces.tobytes())
 
 
-def read_xyz(path):
-    """The coordinates of a binary PCD whose fields have four bytes each."""
-    data = path.read_bytes()
-    start = data.index(b"DATA binary\n") + len(b"DATA binary\n")
-    fields = re.search(rb"\nFIELDS (.*)\n", data[:start]).group(1).split()
-    return np.frombuffer(data, "<f4", offset=start).reshape(-1, len(fields))[:, :3]
-
-
 def point_count(path):
     with open(path, "rb") as file:
         return int(re.search(rb"\nPOINTS (\d+)", file.read(1000)).group(1))
 
 
 def write_xyz(path, points):
-    header = f"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {len(points)}\nHEIGHT 1\nPOINTS {len(points)}\nDATA binary\n"
-    path.write_bytes(("# .PCD v0.7\nVERSION 0.7\n" + header).encode() + points.astype("<f4").tobytes())
+    pcd.write(path, np.ascontiguousarray(points, "<f4").view([(axis, "<f4") for axis in "xyz"]).ravel())
 
 
 def mixed(x):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads PCD files of any fields, as a structured array of numpy."""
+"""Reads and writes PCD files of any fields, as a structured array of numpy."""
 import numpy as np
 
 
@@ -54,6 +54,16 @@ def read(path):
         points[name] = np.frombuffer(columns, kind, size * count, at).reshape(points[name].shape)
         at += size * count * np.dtype(kind).itemsize
     return points
+
+
+def write(path, points):
+    """Writes fields of one value each."""
+    forms = [points.dtype[name] for name in points.dtype.names]
+    rows = (("FIELDS", points.dtype.names), ("SIZE", [f.itemsize for f in forms]), ("TYPE", [f.kind.upper() for f in forms]),
+            ("COUNT", [1] * len(forms)), ("WIDTH", [len(points)]), ("HEIGHT", [1]), ("POINTS", [len(points)]), ("DATA", ["binary"]))
+    header = "".join(name + "".join(f" {value}" for value in values) + "\n" for name, values in rows)
+    with open(path, "wb") as file:
+        file.write(b"# .PCD v0.7\nVERSION 0.7\n" + header.encode() + points.tobytes())
 
 
 def places(points):

@@ -120,23 +120,4 @@ TEST(GridSliceDetail, FollowsACeilingThatIsTilted)
   EXPECT_EQ(analysis.getTrial(), 1);
 }
 
-TEST(GridSliceDetail, LooksAtTheRoomsOwnPointsOnly)
-{
-  // Two adjacent rooms: the analysis of one does not use the soffit of the other.
-  RoomPoints points;
-  const RoomParts plain = points.room(plainRoom());
-  const std::vector<int> own = points.all();
-  PlanRoom other = roomOf(rectangle(5.11, 0.01, 9.11, 4.01), height);
-  other.details = {detailOf(rectangle(5.11, 0.01, 5.71, 4.01), 2.1)};
-  points.room(other);
-  Analysis analysis;
-  analysis.setInputCloud(points.cloud());
-  analysis.setIndices(shared(own));
-  analysis.setCeilingIndices(shared(plain.ceiling));
-  analysis.setFloorHeight(0);
-  pcl::PointIndices details;
-  ASSERT_TRUE(analysis.segment(details));
-  EXPECT_TRUE(details.indices.empty());
-}
-
 } // namespace

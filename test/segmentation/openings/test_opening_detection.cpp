@@ -322,26 +322,6 @@ TEST(OpeningDetection, WindowInACurvedWall)
   EXPECT_NEAR(found.top, cut.top, 0.01);
 }
 
-TEST(OpeningDetection, SameForAnyNumberOfThreads)
-{
-  TwoRooms scene(0.01);
-  scene.scanMiddleWall({door});
-  scene.scanOuterWall({window});
-  pcl::OpeningDetection<pcl::PointXYZ> detection;
-  detection.setInputCloud(scene.cloud);
-  Floorplan one = scene.plan;
-  Floorplan many = scene.plan;
-  detection.setNumberOfThreads(1);
-  ASSERT_TRUE(detection.segment(one));
-  detection.setNumberOfThreads(4);
-  ASSERT_TRUE(detection.segment(many));
-  ASSERT_EQ(one.openings.size(), many.openings.size());
-  for (std::size_t k = 0; k < one.openings.size(); ++k) {
-    EXPECT_EQ(one.openings[k].start, many.openings[k].start);
-    EXPECT_EQ(one.openings[k].top, many.openings[k].top);
-  }
-}
-
 TEST(OpeningDetection, BadInputIsASentence)
 {
   pcl::OpeningDetection<pcl::PointXYZ> detection;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
-#include "sedr_segmentation/src/plan/energy_fit.h"
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 
 #include <ostream>
@@ -191,29 +190,6 @@ TEST(FloorPoints, OfABedBehindAChestBesideAPlatformOfItsHeightAreNone)
       floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {});
   EXPECT_GT(floor.size(), last * 9 / 10); // all but the chest
   EXPECT_LT(floor.back(), ends[last]);
-}
-
-/** Until the walls are adjusted a room has its ceiling as a relief. */
-TEST(GiveCeilings, FacetsThatAreLevelReplaceARelief)
-{
-  Floorplan plan;
-  plan.rooms.emplace_back();
-  plan.rooms[0].id = 1;
-  plan.rooms[0].boundary = rectangle(0, 0, 6, 4);
-  RoomPoints points(0.04, 0.003);
-  points.slab(rectangle(0, 0, 4, 4), 2.5);
-  points.slab(rectangle(4, 0, 6, 4), 2.2);
-  RoomSheet sheet;
-  sheet.room = 1;
-  for (std::size_t i = 0; i < points.view().size(); ++i)
-    sheet.points.push_back(points.view()[i].cast<double>());
-  sheet.sheet = surfaceWithin(plan.rooms[0].boundary, sheet.points);
-  plan.rooms[0].ceiling = reliefOf(sheet.sheet, 0.15);
-  giveCeilings({sheet}, points.view(), {}, 1, plan);
-  EXPECT_FALSE(plan.rooms[0].ceiling.curve);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({2, 2}), 2.5, 0.002);
-  EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 2.2, 0.002);
-  EXPECT_EQ(plan.rooms[0].details.size(), 1u);
 }
 
 } // namespace

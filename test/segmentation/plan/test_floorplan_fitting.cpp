@@ -195,17 +195,6 @@ TEST(FloorplanFitting, TakesTheRoomsOfThePointType)
   EXPECT_EQ(plan.rooms.size(), 2u);
 }
 
-TEST(FloorplanFitting, NoIndicesAreNoPoints)
-{
-  const UnequalRooms scene;
-  Fitting fitting;
-  setEvidence(scene.points, scene.evidence, fitting);
-  fitting.setIndices(std::make_shared<pcl::Indices>());
-  Floorplan plan;
-  EXPECT_FALSE(fitting.segment(plan));
-  EXPECT_EQ(fitting.getErrorMessage(), "there are no points");
-}
-
 TEST(FloorplanFitting, HiddenCellsOfNoRoomOrPlaceAreRefused)
 {
   const UnequalRooms scene;

@@ -149,11 +149,7 @@ TEST(Recesses, AWindowAsWideAsTheWallIsNoneAsItsParapetTells)
   parts.ceiling = joined(parts.ceiling, points.slab(bay, 2.6));
   for (const std::size_t side : {1, 3})
     parts.walls = joined(parts.walls, points.wall(bay.elements[side], 0.5, 2.6));
-  Fitting fitting;
-  setEvidence(points, evidenceOf(points, parts), fitting);
-  Floorplan plan;
-  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
-  EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
+  EXPECT_LT(cornerError(fitted(points, parts).boundary, walls), 0.01);
 }
 
 TEST(Recesses, NorAreThoseOfBlindsJustBehindTheWall)
@@ -179,11 +175,7 @@ TEST(Recesses, NorAreThoseOfBlindsJustBehindTheWall)
       if (head == 2.6)
         evidence.ceiling = joined(evidence.ceiling, soffit);
       evidence.all = points.all();
-      Fitting fitting;
-      setEvidence(points, evidence, fitting);
-      Floorplan plan;
-      ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
-      const PlanLoop& found = plan.rooms.front().boundary;
+      const PlanLoop found = fitted(points, evidence).boundary;
       EXPECT_EQ(found.elements.size(), 4u) << head << ' ' << depth;
       EXPECT_LT(cornerError(found, walls), 0.01) << head << ' ' << depth;
     }

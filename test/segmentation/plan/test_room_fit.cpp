@@ -30,17 +30,6 @@ TEST(FitRoom, ABoxIsExactToTheMillimetre)
   }
 }
 
-TEST(FitRoom, NoiseOfTwoCentimetresCostsMillimetres)
-{
-  const PlanLoop truth = placed(rectangle(0, 0, 5, 4), 12, {0.013, 0.017});
-  const PlanRoom room = fitted(roomOf(truth, 2.5), 0.02);
-  ASSERT_EQ(room.boundary.elements.size(), 4u);
-  EXPECT_LT(cornerError(room.boundary, truth), 0.008);
-  EXPECT_NEAR(room.ceiling.heightAt({2, 2}), 2.5, 0.002);
-  for (const auto& e : room.boundary.elements)
-    EXPECT_NEAR(e.residual, 0.02, 0.005);
-}
-
 TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreIsNotTilted)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 8.01, 5.01), 2.5);

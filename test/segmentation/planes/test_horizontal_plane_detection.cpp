@@ -50,31 +50,6 @@ TEST(HorizontalPlaneDetection, GivesThePlanesLowestFirstWithAllTheirFigures)
   EXPECT_NEAR(planes[1].area, 1.5, 0.1);
 }
 
-TEST(HorizontalPlaneDetection, GivesTheSamePlanesOnAnyNumberOfThreads)
-{
-  RoomPoints points;
-  for (int room = 0; room < 6; ++room)
-    points.room(rectangle(6.0 * room, 0, 6.0 * room + 5, 9), 0, 2.5 + 0.2 * room);
-  const auto cloud = points.cloud();
-  std::vector<std::vector<pcl::HorizontalPlane>> found;
-  for (const unsigned threads : {1u, 2u, 5u}) {
-    Detection detection;
-    detection.setNumberOfThreads(threads);
-    EXPECT_EQ(detection.getNumberOfThreads(), threads);
-    detection.setInputCloud(cloud);
-    ASSERT_TRUE(detection.segment(found.emplace_back()));
-  }
-  ASSERT_EQ(found[0].size(), 7u);
-  for (std::size_t run = 1; run < found.size(); ++run) {
-    ASSERT_EQ(found[run].size(), found[0].size());
-    for (std::size_t k = 0; k < found[0].size(); ++k) {
-      EXPECT_EQ(found[run][k].inliers.indices, found[0][k].inliers.indices);
-      EXPECT_EQ(found[run][k].slab.plane, found[0][k].slab.plane);
-      EXPECT_EQ(found[run][k].cells, found[0][k].cells);
-    }
-  }
-}
-
 TEST(HorizontalPlaneDetection, SaysWhatItLookedForWhereThereIsNone)
 {
   RoomPoints points;

@@ -47,22 +47,6 @@ TEST(FaceCurves, OfSparseScansAreTheSame)
     }
 }
 
-TEST(FaceCurves, ATurnedFaceIsKeptInACleanRoomAndNotInAClutteredOne)
-{
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> x(0.3, 5.7);
-  std::uniform_real_distribution<double> y(0.3, 2.5);
-  const auto curvesWith = [&](int things) {
-    std::vector<Eigen::Vector2d> places =
-        placesOn({rectangle(0, 0, 6, 5), {{segment({2, 3.5}, {2.65, 3.96})}}}, 0.003);
-    for (int k = 0; k < things; ++k)
-      places.emplace_back(x(random), y(random));
-    return pcl::sedr::faceCurves({places, {}, 1}).curves.size();
-  };
-  EXPECT_EQ(curvesWith(0), 5U);
-  EXPECT_EQ(curvesWith(400), 4U);
-}
-
 TEST(FaceCurves, OfWhichLittleOfTheHeightWasSeenTellLittle)
 {
   const PlanLoop room = rectangle(0, 0, 5, 4);

@@ -268,22 +268,6 @@ TEST(FindBuilding, StraysFarOffChangeNothing)
   }
 }
 
-TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
-{
-  AirScene scene = flat(30);
-  scene.room(8, 8, 24, 20, 0.01, 3.01); // several blocks
-  BuildingParameters parameters;
-  parameters.threads = 1;
-  const Found one(scene, parameters);
-  parameters.threads = 3;
-  const Found three(scene, parameters);
-  EXPECT_EQ(one.building.room_of, three.building.room_of);
-  EXPECT_EQ(one.building.label_of, three.building.label_of);
-  ASSERT_EQ(one.building.rooms.size(), three.building.rooms.size());
-  for (std::size_t r = 0; r < one.building.rooms.size(); ++r)
-    EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
-}
-
 TEST(FindBuilding, DoubtsTheRoomsWhereAWiderGapMakesThemOne)
 {
   const auto foundWith = [](double width, double head) {

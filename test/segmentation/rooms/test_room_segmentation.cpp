@@ -44,28 +44,6 @@ TEST(RoomSegmentation, GivesThePointsOfEachRoomTheLargestFirst)
   }
 }
 
-TEST(RoomSegmentation, LooksAtThePointsWithAnIndexOnly)
-{
-  const auto cloud = twoRooms().cloud();
-  pcl::IndicesPtr small(new pcl::Indices);
-  for (std::size_t i = 0; i < cloud->size(); ++i)
-    if ((*cloud)[i].x < 4.1f)
-      small->push_back(static_cast<pcl::index_t>(i));
-  pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
-  segmentation.setInputCloud(cloud);
-  segmentation.setIndices(small);
-  std::vector<pcl::PointIndices> rooms;
-  ASSERT_TRUE(segmentation.segment(rooms));
-  ASSERT_EQ(rooms.size(), 1u);
-  for (const auto i : rooms[0].indices)
-    EXPECT_LT((*cloud)[static_cast<std::size_t>(i)].x, 4.1f);
-  segmentation.setIndices(pcl::IndicesPtr(new pcl::Indices));
-  EXPECT_FALSE(segmentation.segment(rooms));
-  EXPECT_TRUE(rooms.empty());
-  EXPECT_TRUE(segmentation.getBuilding().rooms.empty());
-  EXPECT_EQ(segmentation.getErrorMessage(), "there are no points");
-}
-
 TEST(RoomSegmentation, TakesItsDefaultsFromTheParameters)
 {
   const pcl::sedr::BuildingParameters defaults;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drawn_plans.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_surface/src/sheet/text_places.h"
 
 #include <gtest/gtest.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
-#include <algorithm>
 #include <set>
 
 namespace {
@@ -244,24 +242,6 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
   plan.openings[0].swing = 1;
   EXPECT_EQ(linesOf(openingGaps(plan, findWalls(plan))[0]).size(), jambs + 2)
       << "its leaf and the swing";
-}
-
-TEST(TextPlaces, ALineToAvoidIsCrossedWhereThereIsNoOtherPlace)
-{
-  const TextBox on{{0, 0}, {2, 1}, 0};
-  const TextBox off{{0, 3}, {2, 1}, 0};
-  TextPlaces places;
-  places.avoid(segment({-9, 0}, {9, 0}));
-  EXPECT_EQ(places.takeFirst({on, off})->middle.y(), 3);
-  EXPECT_EQ(places.takeFirst({on, off})->middle.y(), 0);
-}
-
-TEST(TextPlaces, TextsAreReadFromBelowOrFromTheRight)
-{
-  EXPECT_NEAR(readableAngle({-1, 0.1}), -5.7, 0.1);
-  EXPECT_NEAR(readableAngle({0, -1}), 90, 1e-9);
-  EXPECT_NEAR(readableAngle({0.1, -1}), 95.7, 0.1) << "a wall that is slightly aslant";
-  EXPECT_NEAR(readableAngle({1, -1}), -45, 1e-9);
 }
 
 TEST(FloorplanDrawing, EveryDimensionHasItsLength)

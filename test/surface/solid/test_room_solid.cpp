@@ -65,38 +65,6 @@ TEST(RoomSolid, TangentArcsAndASCurve)
   EXPECT_TRUE(solid.hasVertex(2, 2, 3));
 }
 
-TEST(RoomSolid, AColumnIsATunnel)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
-  room.columns.push_back(reversed(circle({2, 2}, 0.35)));
-  const double round = facetArea(circle({2, 2}, 0.35));
-  expectPiece(Solid(room), (30 - round) * 2.5, 0);
-  room.columns.push_back(reversed(rectangle(4, 2, 4.5, 2.5)));
-  const Solid solid(room);
-  expectPiece(solid, (30 - round - 0.25) * 2.5, -2);
-  EXPECT_EQ(solid.names().count("room_1_column_1_face_1"), 1u);
-  EXPECT_NEAR(solid.areaOf("room_1_column_2_face_4"), 0.5 * 2.5, 1e-6);
-  const auto chords = circle({2, 2}, 0.35).polygon(SolidParameters().chord_tolerance);
-  EXPECT_EQ(std::count(solid.mesh.labels.begin(), solid.mesh.labels.end(),
-                       static_cast<std::uint32_t>(StructureLabel::Column)),
-            8 + 2 * static_cast<std::ptrdiff_t>(chords.size()));
-}
-
-TEST(RoomSolid, ASoffitAtAWall)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
-  room.details.push_back(detailOf(rectangle(0, 4, 6, 5), 2.2));
-  const Solid solid(room);
-  expectPiece(solid, 30 * 2.5 - 6 * 0.3);
-  EXPECT_NEAR(solid.areaOf("room_1_detail_1"), 6, 1e-5);
-  EXPECT_NEAR(solid.areaOf("room_1_detail_1_edge_1"), 6 * 0.3, 1e-5);
-  EXPECT_EQ(solid.names().count("room_1_detail_1_edge_2"), 0u) << "lies on a wall";
-  EXPECT_NEAR(solid.areaOf("room_1_wall_2"), 4 * 2.5 + 2.2, 1e-5);
-  for (const double x : {0, 6})
-    for (const double z : {2.2, 2.5})
-      EXPECT_TRUE(solid.hasVertex(x, 4, z));
-}
-
 TEST(RoomSolid, ABeamACofferAndASoffitAllAround)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
@@ -186,26 +154,6 @@ twoRooms()
   return plan;
 }
 
-TEST(FloorplanExtrusion, OneClosedSolidARoom)
-{
-  Extrusion extrusion;
-  extrusion.setFloorplan(twoRooms());
-  pcl::PolygonMesh output;
-  extrusion.reconstruct(output);
-  EXPECT_EQ(extrusion.getErrorMessage(), "");
-  EXPECT_TRUE(extrusion.isClosed());
-  EXPECT_TRUE(extrusion.getWarnings().empty());
-  ASSERT_EQ(extrusion.getReports().size(), 2u);
-  EXPECT_NEAR(extrusion.getReports()[0].volume, 4 * 5 * 2.5, 1e-5);
-  EXPECT_NEAR(extrusion.getReports()[1].volume, (4.9 * 5 - 0.25) * 2.7, 1e-5);
-  EXPECT_EQ(extrusion.getReports()[1].topology.euler_characteristic, 0);
-  const MeshTopology topology = checkTopology(extrusion.getMesh());
-  EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
-  EXPECT_EQ(topology.components.size(), 2u);
-  EXPECT_EQ(output.polygons.size(), extrusion.getMesh().triangles.size());
-  EXPECT_EQ(output.cloud.width, extrusion.getMesh().vertices.size());
-}
-
 TEST(FloorplanExtrusion, RoomsWithoutAWallBetweenThemDoNotCross)
 {
   const auto plan = twoRooms();
@@ -220,24 +168,6 @@ TEST(FloorplanExtrusion, RoomsWithoutAWallBetweenThemDoNotCross)
   }
   EXPECT_EQ(sentenceOf(extrusion.getWarnings()[0]),
             "room 3: its solid runs into that of room 8");
-}
-
-TEST(FloorplanExtrusion, TrianglesKnowTheirElement)
-{
-  Extrusion extrusion;
-  extrusion.setFloorplan(twoRooms());
-  pcl::PolygonMesh output;
-  extrusion.reconstruct(output);
-  const TriangleMesh& mesh = extrusion.getMesh();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const SolidElement& element = extrusion.getElements().at(mesh.elements[t] - 1);
-    EXPECT_EQ(element.room, mesh.rooms[t]);
-    EXPECT_EQ(static_cast<std::uint32_t>(element.label), mesh.labels[t]);
-    const bool is_partition = element.name == "room_3_wall_2";
-    const bool is_there = mesh.corner(t, 0).x() == 4 && mesh.corner(t, 1).x() == 4 &&
-                          mesh.corner(t, 2).x() == 4;
-    EXPECT_EQ(is_partition, is_there);
-  }
 }
 
 TEST(FloorplanExtrusion, PointsGetRoomAndNormalWhereTheyHaveSuch)

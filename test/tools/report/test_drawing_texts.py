@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Texts of drawings do not touch each other: every text of an SVG as a turned box, over the truth of
-built-in scenes, a house with roofs, and the plans that SEDR_PLANS names, parted by colons.
+built-in scenes, a house with roofs, and plans of real scans.
 
     test_drawing_texts.py pcl_floorplan_drawing pcl_simulate_indoor_scan folder of models of real scans
 """
@@ -173,10 +173,6 @@ class DrawingTexts(unittest.TestCase):
             json.dump(house(), file)
         self.expect_free_texts(self.path("house.json"))
         self.expect_free_cuts(self.path("house.json"))
-
-    def test_plans_named_in_the_environment(self):
-        for plan in filter(None, os.environ.get("SEDR_PLANS", "").split(":")):
-            self.expect_free_texts(plan)
 
     def test_real_scans(self):
         plans = [os.path.join(MODELS, name, "floorplan.json") for name in REAL_SCANS]
