@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include "sedr_segmentation/src/arrangement/recess_cells.h"
 #include "sedr_segmentation/src/faces/room_cells.h"
+
+#include <pcl/sedr_filters/priors.h>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +97,41 @@ TEST(RoomCells, APaneUpToASoffitIsGlassAndNoPillar)
   EXPECT_EQ(pillarsAndGlass(1).second, 0U);
   EXPECT_EQ(pillarsAndGlass(10).first, 0U);
   EXPECT_GT(pillarsAndGlass(10).second, 10U);
+}
+
+TEST(RecessCells, EachCellOfAWindowsRecessIsFoundHoweverItIsTurned)
+{
+  using namespace pcl::sedr;
+  // Air was seen up to a pane 0.2 m behind the line of a wall, 4 m long.
+  const CellGrid grid(0.05);
+  const CellBox box{grid.at(-4, -4), grid.at(4, 4)};
+  for (const double turn : {0.0, 0.3, 0.7, 1.2}) {
+    StoreyLine wall = endLine({0, 0}, {std::cos(turn), std::sin(turn)}, 2, 1, 0.03);
+    wall.is_end = false;
+    wall.between.assign(wall.any.size(), StoreyLine::Between::Partly);
+    const Eigen::Vector2d out = leftOf(wall.curve.direction);
+    RoomCells room;
+    room.seen = CellMask(box);
+    room.solid = room.glass = room.riser = room.pillar = room.base = room.seen;
+    for (std::size_t i = 0; i < room.seen.values().size(); ++i) {
+      const double depth = out.dot(grid.centre(room.seen.cellAt(i)));
+      room.seen.values()[i] = depth < 0.2;
+      room.glass.values()[i] = depth >= 0.2 && depth < 0.3;
+    }
+    const RecessCells found =
+        recessCells({{0}}, {room}, {wall}, grid, Priors().max_wall).front();
+    for (std::size_t i = 0; i < room.seen.values().size(); ++i) {
+      const Eigen::Vector2d p = grid.centre(room.seen.cellAt(i));
+      if (std::abs(wall.curve.direction.dot(p)) > 1.9)
+        continue;
+      if (out.dot(p) > 0.05 && out.dot(p) < 0.15) {
+        EXPECT_EQ(found.open.values()[i], 1) << turn << ": " << p.transpose();
+      }
+      else if (out.dot(p) < -0.05) {
+        EXPECT_EQ(found.open.values()[i], 0) << turn << ": " << p.transpose();
+      }
+    }
+  }
 }
 
 } // namespace

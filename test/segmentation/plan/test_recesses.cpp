@@ -2,7 +2,6 @@
 // Recesses in walls: parts of the plan, niches, or openings.
 #include "found_niches.h"
 #include "room_evidence.h"
-#include "sedr_segmentation/src/arrangement/recess_cells.h"
 
 namespace {
 
@@ -214,40 +213,6 @@ TEST(Recesses, NorIsThatOfAPaneAsWideAsTheWallThoughItsJambsEndThere)
     const PlanLoop found = fitted(points, parts).boundary;
     EXPECT_EQ(found.elements.size(), 4u) << turn;
     EXPECT_LT(cornerError(found, room), 0.01) << turn;
-  }
-}
-
-TEST(Recesses, EachCellOfAWindowsRecessIsFoundHoweverItIsTurned)
-{
-  // Air was seen up to a pane 0.2 m behind the line of a wall, 4 m long.
-  const CellGrid grid(0.05);
-  const CellBox box{grid.at(-4, -4), grid.at(4, 4)};
-  for (const double turn : {0.0, 0.3, 0.7, 1.2}) {
-    StoreyLine wall = endLine({0, 0}, {std::cos(turn), std::sin(turn)}, 2, 1, 0.03);
-    wall.is_end = false;
-    wall.between.assign(wall.any.size(), StoreyLine::Between::Partly);
-    const Eigen::Vector2d out = leftOf(wall.curve.direction);
-    RoomCells room;
-    room.seen = CellMask(box);
-    room.solid = room.glass = room.riser = room.pillar = room.base = room.seen;
-    for (std::size_t i = 0; i < room.seen.values().size(); ++i) {
-      const double depth = out.dot(grid.centre(room.seen.cellAt(i)));
-      room.seen.values()[i] = depth < 0.2;
-      room.glass.values()[i] = depth >= 0.2 && depth < 0.3;
-    }
-    const RecessCells found =
-        recessCells({{0}}, {room}, {wall}, grid, Priors().max_wall).front();
-    for (std::size_t i = 0; i < room.seen.values().size(); ++i) {
-      const Eigen::Vector2d p = grid.centre(room.seen.cellAt(i));
-      if (std::abs(wall.curve.direction.dot(p)) > 1.9)
-        continue;
-      if (out.dot(p) > 0.05 && out.dot(p) < 0.15) {
-        EXPECT_EQ(found.open.values()[i], 1) << turn << ": " << p.transpose();
-      }
-      else if (out.dot(p) < -0.05) {
-        EXPECT_EQ(found.open.values()[i], 0) << turn << ": " << p.transpose();
-      }
-    }
   }
 }
 
