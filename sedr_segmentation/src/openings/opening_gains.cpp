@@ -59,6 +59,9 @@ public:
     double gain = 0; // a square metre
     if (cell.here == WallCell::Beyond)
       gain = opening_numbers.beyond;
+    else if (cell.here == WallCell::Leaf ||
+             (cell.is_known && cell.behind == WallCell::Leaf))
+      gain = weights_.within / 4; // as where one face was seen
     else if (a && (b || !cell.is_known))
       gain = weights_.seen;
     else if (a || b) {
@@ -86,7 +89,7 @@ public:
         return weights_.reveal;
       if (o == WallCell::Seen && i == WallCell::Empty)
         return weights_.rim;
-      if (o == WallCell::Seen && (i == WallCell::Hidden || i == WallCell::Shaded))
+      if (o == WallCell::Seen && (isHidden(i) || i == WallCell::Shaded))
         return 0.0;
       if ((o == i && o != WallCell::Hidden) || (isNothing(o) && isNothing(i)))
         return weights_.no_edge;

@@ -41,7 +41,7 @@ leafAmong(const std::vector<SidePoint>& points,
   const auto rows =
       static_cast<std::size_t>((high - low + 2 * sizes.leaf_margin) / cell) + 1;
   Leaf best;
-  for (int degrees = 20; degrees <= 166; degrees += 2) {
+  for (int degrees = 6; degrees <= 166; degrees += 2) {
     const double angle = radians(degrees);
     const double c = std::cos(angle);
     const double s = std::sin(angle);

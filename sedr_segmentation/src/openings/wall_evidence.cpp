@@ -53,7 +53,7 @@ addCells(const WallSide& side,
         ++counts.opening;
       else if (is_seen)
         ++counts.seen;
-      else if (state == WallCell::Hidden || state == WallCell::Shaded)
+      else if (isHidden(state) || state == WallCell::Shaded)
         ++counts.hidden;
       else
         ++counts.opening;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_map.h"
+#include "ajar_leaves.h"
 
 #include "sedr_filters/src/base/quantiles.h"
 
@@ -43,7 +44,7 @@ WallMap::WallMap(const PlanRoom& room,
     depths_.push_back(
         std::min(std::isfinite(face) ? face : nearest,
                  static_cast<float>(std::min(sizes.shallow, sizes.max_depth))));
-  count(side, rays);
+  count(side, rays, takeAjarLeaves(points_, length_, cell_, side.floor, sizes));
   closeGaps();
   findOffsets(side.line);
   points_.erase(std::remove_if(points_.begin(), points_.end(),
@@ -272,15 +273,21 @@ WallMap::spread(std::vector<float>& shade) const
 }
 
 void
-WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
+WallMap::count(const WallSide& side,
+               const std::vector<SightLine>& rays,
+               const std::vector<SidePoint>& of_leaves)
 {
   std::vector<std::uint32_t> seen(columns_ * rows_);
   std::vector<std::uint32_t> within(seen.size());
   std::vector<std::uint32_t> through(seen.size());
   std::vector<std::uint32_t> before(seen.size());
+  std::vector<std::uint32_t> leaf(seen.size());
   std::vector<float> shade(seen.size());
   for (const SightLine& ray : rays)
     follow(side, ray, through, before);
+  for (const SidePoint& p : of_leaves)
+    if (const std::size_t i = indexOf(p); i != none)
+      ++leaf[i];
   for (const SidePoint& p : points_) {
     const std::size_t i = indexOf(p);
     if (i == none)
@@ -316,6 +323,8 @@ WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
       const std::size_t i = c * rows_ + r;
       if (heightOf(r) + cell_ < floors_[c] || heightOf(r + 1) > ceilings_[c])
         cells_[i] = WallCell::Beyond;
+      else if (leaf[i] > std::max({seen[i], within[i], through[i]}))
+        cells_[i] = WallCell::Leaf;
       else if (seen[i] > std::max(needed, static_cast<double>(through[i])))
         cells_[i] = is_recessed[i] ? WallCell::Within : WallCell::Seen;
       else if (within[i] > 0)

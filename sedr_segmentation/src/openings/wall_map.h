@@ -19,6 +19,7 @@ enum class WallCell : std::uint8_t {
   Within,  ///< points behind the face, not as deep as the wall
   Through, ///< rays that went on behind the face
   Hidden,  ///< points before the face only, or rays that ended before it
+  Leaf,    ///< points of a leaf that stands ajar before the face
   Empty,   ///< nothing
   Shaded   ///< nothing; something before the face is as near as it stands before it
 };
@@ -28,6 +29,13 @@ inline bool
 isNothing(WallCell state)
 {
   return state == WallCell::Empty || state == WallCell::Shaded;
+}
+
+/** @brief Whether something before the face hides it. */
+inline bool
+isHidden(WallCell state)
+{
+  return state == WallCell::Hidden || state == WallCell::Leaf;
 }
 
 /** @brief What a scan shows of a side of a wall, in cells of arc length and height. */
@@ -107,7 +115,9 @@ private:
   void centreFace();
   void chooseCell();
   void findExtent(const PlanRoom& room, const WallSide& side);
-  void count(const WallSide& side, const std::vector<SightLine>& rays);
+  void count(const WallSide& side,
+             const std::vector<SightLine>& rays,
+             const std::vector<SidePoint>& of_leaves);
   void findOffsets(const PlanElement& line);
   void follow(const WallSide& side,
               const SightLine& ray,

@@ -41,7 +41,7 @@ depthsIn(const WallMap& map, const WallRectangle& at)
   for (std::size_t c = c0; c < c1; ++c)
     for (std::size_t r = r0; r < r1; ++r)
       if (const WallCell state = map.at(c, r);
-          state != WallCell::Beyond && state != WallCell::Hidden)
+          state != WallCell::Beyond && !isHidden(state))
         depths.push_back({-map.offsetAt(c, r), -map.farthestAt(c, r)});
   return depths;
 }

@@ -309,10 +309,13 @@ judge(const Floorplan& plan, PlanReview& review)
   const std::size_t most = std::min(leading_doubts, review.doubts.size());
   double left = stakeOf(first, end) / all;
   const auto isLikelyWrong = [&](const PlanDoubt& doubt) {
-    return std::any_of(
-        review.walls.begin(), review.walls.end(), [&](const Certainty& wall) {
-          return wall.right() < 0.5 && doubt.subject == "wall " + wall.element;
-        });
+    const std::string name = doubt.subject.substr(doubt.subject.find(' ') + 1);
+    const auto isOf = [&](const Certainty& certainty) {
+      return certainty.right() < 0.5 && certainty.element == name;
+    };
+    return std::any_of(review.walls.begin(), review.walls.end(), isOf) ||
+           std::any_of(review.openings.begin(), review.openings.end(), isOf) ||
+           std::count(doubt.kinds.begin(), doubt.kinds.end(), WarningKind::NoDoor) > 0;
   };
   const auto leading = first + static_cast<std::ptrdiff_t>(most);
   for (auto next = first; next != leading; ++next)

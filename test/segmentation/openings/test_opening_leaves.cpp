@@ -38,6 +38,35 @@ TEST(OpeningLeaves, LeafOpensToTheOutside)
   EXPECT_EQ(found.hinge, OpeningHinge::Start);
 }
 
+TEST(OpeningLeaves, ALeafThatStandsAjarHidesADoorNotAWall)
+{
+  // Nothing is seen behind it, and its reveals are not.
+  for (const bool is_at_from : {true, false})
+    for (const double degrees : {8.0, 15.0, 25.0, 35.0}) {
+      SCOPED_TRACE(degrees);
+      TwoRooms scene(0.003);
+      scene.scanOuterWall({}, {door});
+      if (is_at_from)
+        scene.scanLeaf(door.from, 0, degrees, 0.88, 2);
+      else
+        scene.scanLeaf(door.to, 0, 180 - degrees, 0.88, 2);
+      const PlanOpening found = openingOf(scene, OpeningKind::Door);
+      expectEdges(found, door, -0.15, 0.02);
+      EXPECT_EQ(found.state, OpeningState::Ajar);
+      EXPECT_EQ(found.swing, 1u);
+    }
+}
+
+TEST(OpeningLeaves, AScreenThatStandsAskewBeforeAWallIsNoLeaf)
+{
+  for (const double off : {0.2, 0.4}) {
+    TwoRooms scene(0.003);
+    scene.scanOuterWall({}, {door});
+    scene.scanLeaf(door.from, off, 12, 0.88, 2);
+    EXPECT_TRUE(openingsOf(scene).empty()) << off;
+  }
+}
+
 TEST(OpeningLeaves, TwoLeavesHangAtBothJambs)
 {
   TwoRooms scene(0.003);

@@ -85,6 +85,21 @@ TEST(PlanReview, AShortWallThatIsRatherWrongIsCheckedToo)
   EXPECT_EQ(review.checks, 1u);
 }
 
+TEST(PlanReview, SoAreOpeningsAndRoomsWithoutAWayIn)
+{
+  Floorplan plan = measuredRoom();
+  plan.openings[0].confidence = 0.01;
+  plan.openings[0].end.x() = 1.4;
+  const PlanReview opening = reviewOf(plan, {});
+  ASSERT_EQ(opening.doubts.size(), 1u);
+  EXPECT_LT(opening.openings[0].right(), 0.5);
+  EXPECT_LT(opening.doubts[0].stake, 0.9) << "of 47 m2 less than 2 %";
+  EXPECT_EQ(opening.checks, 1u);
+  const PlanReview review = reviewOf(measuredRoom(), {{WarningKind::NoDoor, {0.5}, 1}});
+  EXPECT_EQ(review.verdict, ReviewVerdict::Check);
+  EXPECT_EQ(review.checks, 1u);
+}
+
 TEST(PlanReview, WhatIsNotSureIsADoubtWithoutAWarning)
 {
   Floorplan plan = measuredRoom();

@@ -122,8 +122,8 @@ struct PlanReview {
  *
  * Warnings of one wall, opening or room at one place are one doubt, and so are walls
  * and openings that are less than 90 % sure. So many of the first ten are to be checked
- * that the rest puts 2 % of walls and floors at stake and has no wall among these ten
- * that is rather wrong than right; if all but unit and up put more than a tenth at
+ * that the rest puts 2 % of walls and floors at stake and has no wall or opening among
+ * these ten that is rather wrong than right, nor a room without a way in; if all but unit and up put more than a tenth at
  * stake, scanning again is better. A room and its walls count once.
  * Odds of walls and openings are fitted, see Certainty, and those of common warnings.
  * @param plan its openings have numbers, see numberOpenings()
