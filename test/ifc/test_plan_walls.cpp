@@ -79,7 +79,7 @@ TEST(PlanWalls, FarAndUnevenFacesAndOtherStoreysAreNoPair)
   above.floor = slabAt(3);
   above.ceiling = slabAt(5.5);
   for (const PlanRoom& other :
-       {roomOf(rectangle(4.7, 0, 8, 3), 2.5, 2),
+       {roomOf(rectangle(4.85, 0, 8, 3), 2.5, 2),
         roomOf(polygon({{4.1, 0}, {8, 0}, {8, 3}, {4.5, 3}}), 2.5, 2), above})
     EXPECT_TRUE(
         pairsOf(findWalls({{roomOf(rectangle(0, 0, 4, 3), 2.5), other}})).empty());

@@ -6,6 +6,7 @@
 #include "sedr_filters/src/rays/sight_lines.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -29,6 +30,13 @@ inline bool
 isNothing(WallCell state)
 {
   return state == WallCell::Empty || state == WallCell::Shaded;
+}
+
+/** @brief Returns how many states there are. */
+constexpr std::size_t
+wallCellStates()
+{
+  return static_cast<std::size_t>(WallCell::Shaded) + 1;
 }
 
 /** @brief Whether something before the face hides it. */

@@ -129,12 +129,12 @@ TEST(PlanEditor, AMergedRoomKeepsTheHeightsOfBoth)
 TEST(PlanEditor, RoomsThatNoWallPartsAreNotMerged)
 {
   Floorplan plan = twoRooms();
-  plan.rooms[1].boundary = rectangle(5, 0, 6.2, 3);
+  plan.rooms[1].boundary = rectangle(5.2, 0, 6.2, 3);
   PlanEditor editor(plan);
   EXPECT_EQ(refusal(editor.merge(1, 2), editor),
             "rooms 1 and 2 do not touch, and no wall of at "
-            "most 0.6 m is all that parts them");
-  EXPECT_TRUE(PlanEditor(plan, 1.1).merge(1, 2));
+            "most 0.75 m is all that parts them");
+  EXPECT_TRUE(PlanEditor(plan, 1.3).merge(1, 2));
 }
 
 TEST(PlanEditor, RoomsAboveEachOtherAreNotMerged)

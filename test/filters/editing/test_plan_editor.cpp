@@ -275,12 +275,12 @@ TEST(PlanEditor, WhatIsConfirmedStaysSoUntilItIsEdited)
 TEST(EditRefusals, AJogIsNoDeeperThanAWall)
 {
   const Floorplan plan =
-      planOf({polygon({{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 3.7}, {0, 3.7}})});
+      planOf({polygon({{0, 0}, {6, 0}, {6, 3}, {4, 3}, {4, 3.9}, {0, 3.9}})});
   PlanEditor editor(plan);
   EXPECT_EQ(refusal(editor.removeJog(1, 4), editor), // x = 4
-            "wall 1.4 is no jog: wall 1.3 would move by 0.700 m, more than a wall is "
-            "thick, 0.600 m");
-  EXPECT_TRUE(PlanEditor(plan, 0.8).removeJog(1, 4));
+            "wall 1.4 is no jog: wall 1.3 would move by 0.900 m, more than a wall is "
+            "thick, 0.750 m");
+  EXPECT_TRUE(PlanEditor(plan, 1).removeJog(1, 4));
 }
 
 TEST(EditRefusals, OpeningsThatNoWallHasAnyMoreAreTold)

@@ -179,7 +179,10 @@ priorsOf(const Reconstruction& chain)
   return priors;
 }
 
-constexpr std::array<char, 7> letters{'n', 's', 'w', 't', 'h', 'e', 'e'}; // as WallCell
+/** @brief In the order of WallCell; a leaf hides what is behind it. */
+constexpr std::array<char, wallCellStates()> letters{'n', 's', 'w', 't',
+                                                     'h', 'h', 'e', 'e'};
+static_assert(letters.back() != 0);
 
 /** @brief Returns the states in the middle of coarser cells, in runs, row by row from
  * the top. */

@@ -18,14 +18,16 @@ namespace pcl::sedr::tools {
 namespace {
 
 /** In the order of WallCell. */
-constexpr std::array<std::pair<const char*, Colour>, 7> states{
+constexpr std::array<std::pair<const char*, Colour>, wallCellStates()> states{
     {{"no room", colours::paper},
      {"seen on the wall", colours::other},
      {"within the wall", colours::detail},
      {"rays through", lightened(colours::detail, 0.5)},
      {"hidden", lightened(colours::floor, 0.5)},
+     {"a leaf ajar", lightened(colours::wall, 0.5)},
      {"nothing", 0xfae28c},
      {"nothing, beside something", lightened(0xfae28c, 0.5)}}};
+static_assert(states.back().first != nullptr);
 
 /** @brief Returns the map of a side of a wall, x along it and y above its first row. */
 Panel
