@@ -79,7 +79,8 @@ framePoints(const PointView& points,
   const auto keyOf = [](const Eigen::Vector3d& p) {
     std::int64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
-      key = (key << 21) + static_cast<std::int64_t>(std::floor(p[axis] / patch_size));
+      key =
+          key * (1 << 21) + static_cast<std::int64_t>(std::floor(p[axis] / patch_size));
     return key;
   };
   std::unordered_map<std::int64_t, Eigen::Vector3d> normals;
