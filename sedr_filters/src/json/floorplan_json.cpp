@@ -185,8 +185,7 @@ documentToJson(const PlanDocument& document)
   }
   if (document.levelling)
     json["levelling"] = levellingToJson(*document.levelling);
-  if (document.max_wall != Priors().max_wall)
-    json["max_wall"] = document.max_wall;
+  json["max_wall"] = document.max_wall;
   if (!document.scan.empty())
     json["scan"] = document.scan;
   if (!names.empty())

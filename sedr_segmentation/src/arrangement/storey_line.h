@@ -52,7 +52,7 @@ struct StoreyEvidence {
   const Storey& storey;
   const std::vector<RoomCells>& cells;
   const CellGrid& grid;
-  double max_wall = 0.6; ///< thickness, metres
+  double max_wall;       ///< thickness, metres
   double near = 0.03;    ///< distance of surfaces from their line, metres
   RadiusRange radii;     ///< of arcs
   unsigned threads = 1;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
-#include <numeric>
 
 namespace pcl::sedr {
 
@@ -17,16 +17,16 @@ namespace {
  * at one distance, as on a vertical surface. */
 std::vector<double>
 distancesOf(const std::vector<SidePoint>& points,
-            double length,
+            const WallSide& side,
             double cell,
-            double floor,
             const OpeningSizes& sizes)
 {
   std::vector<std::vector<double>> offsets(
-      static_cast<std::size_t>(std::ceil(length / cell)));
+      static_cast<std::size_t>(std::ceil(side.line.length() / cell)));
   for (const SidePoint& p : points)
     if (p.along >= 0 && p.offset > -opening_numbers.on_face &&
-        p.height > floor + 2 * sizes.leaf_margin && p.height < floor + sizes.min_head)
+        p.height > side.floor + 2 * sizes.leaf_margin &&
+        p.height < side.floor + sizes.min_head)
       if (const auto c = static_cast<std::size_t>(p.along / cell); c < offsets.size())
         offsets[c].push_back(p.offset);
   std::vector<double> distances;
@@ -84,6 +84,30 @@ leafThrough(const std::vector<double>& distances,
           cell * static_cast<double>(slope > 0 ? last : first), std::abs(slope)};
 }
 
+/** @brief Checks whether the face was seen in most of the columns beside a leaf's
+ * hinge, as far as the wall goes. */
+bool
+isFaceBeside(const std::vector<double>& distances,
+             const LeafLine& leaf,
+             double cell,
+             const OpeningSizes& sizes)
+{
+  const double away = leaf.hinge < leaf.end ? -1 : 1;
+  int seen = 0;
+  int all = 0;
+  for (double way = cell / 2; way < 2 * sizes.leaf_margin; way += cell) {
+    const double along = leaf.hinge + away * way;
+    if (along < 0 || along >= cell * static_cast<double>(distances.size()))
+      break;
+    ++all;
+    seen += std::abs(distances[static_cast<std::size_t>(along / cell)]) <
+                    opening_numbers.on_face
+                ? 1
+                : 0;
+  }
+  return 2 * seen >= all;
+}
+
 /** @brief Returns the leaves among runs of columns off the face. */
 std::vector<LeafLine>
 leavesAmong(const std::vector<double>& distances,
@@ -113,7 +137,8 @@ leavesAmong(const std::vector<double>& distances,
                                 distances[c]) < sizes.leaf_strip;
       if (is_even && width > sizes.min_double / 2 && width < sizes.max_leaf &&
           leaf.slope * way > sizes.beside && std::atan(leaf.slope) < sizes.max_ajar &&
-          std::abs(leaf.hinge - start) < 2 * sizes.leaf_margin)
+          std::abs(leaf.hinge - start) < 2 * sizes.leaf_margin &&
+          isFaceBeside(distances, leaf, cell, sizes))
         leaves.push_back(leaf);
     }
     first = last;
@@ -125,23 +150,28 @@ leavesAmong(const std::vector<double>& distances,
 
 std::vector<SidePoint>
 takeAjarLeaves(std::vector<SidePoint>& points,
-               double length,
+               const WallSide& side,
                double cell,
-               double floor,
                const OpeningSizes& sizes)
 {
   std::vector<SidePoint> taken;
+  if (!side.may_have_openings || side.line.isArc())
+    return taken;
+  const double floor = side.floor;
   for (const LeafLine& leaf :
-       leavesAmong(distancesOf(points, length, cell, floor, sizes), cell, sizes)) {
+       leavesAmong(distancesOf(points, side, cell, sizes), cell, sizes)) {
     const auto first =
         std::stable_partition(points.begin(), points.end(), [&](const SidePoint& p) {
-          return !leaf.holds(p, sizes.leaf_strip);
+          return p.height < floor + opening_numbers.slab_band ||
+                 p.height > side.ceiling - opening_numbers.slab_band ||
+                 !leaf.holds(p, sizes.leaf_strip);
         });
-    const double top = std::accumulate(first, points.end(), floor,
-                                       [](double most, const SidePoint& p) {
-                                         return std::max<double>(most, p.height);
-                                       });
-    if (top < floor + sizes.min_head)
+    std::vector<Weighted> heights;
+    std::transform(first, points.end(), std::back_inserter(heights),
+                   [](const SidePoint& p) { return Weighted(p.height, 1); });
+    // A tenth of a door is above, and as much below, what is lower or hangs.
+    if (weightedQuantile(heights, 0.9) < floor + sizes.min_head - sizes.leaf_margin ||
+        weightedQuantile(heights, 0.1) > floor + sizes.min_head / 2)
       continue;
     taken.insert(taken.end(), first, points.end());
     points.erase(first, points.end());

@@ -59,19 +59,19 @@ public:
     double gain = 0; // a square metre
     if (cell.here == WallCell::Beyond)
       gain = opening_numbers.beyond;
-    else if (cell.here == WallCell::Leaf ||
-             (cell.is_known && cell.behind == WallCell::Leaf))
-      gain = weights_.within / 4; // as where one face was seen
     else if (a && (b || !cell.is_known))
       gain = weights_.seen;
     else if (a || b) {
       const WallCell other = a ? cell.behind : cell.here;
-      gain = other == WallCell::Hidden   ? weights_.seen / 2
+      gain = isHidden(other)             ? weights_.seen / 2
              : other == WallCell::Within ? weights_.within / 4
                                          : weights_.half_seen;
     }
     else if (cell.isWithin())
       gain = weights_.within;
+    else if (cell.here == WallCell::Leaf ||
+             (cell.is_known && cell.behind == WallCell::Leaf))
+      gain = weights_.leaf;
     else if (isNothing(cell.here))
       gain = !cell.is_known           ? weights_.empty_outside
              : isNothing(cell.behind) ? 2 * weights_.empty

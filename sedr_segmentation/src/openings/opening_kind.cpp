@@ -129,7 +129,7 @@ nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& s
     whole = end;
   }
   search.found = std::move(named);
-  search.keepEachOnce();
+  search.keepEachOnce(sizes.max_depth);
 }
 
 } // namespace pcl::sedr

@@ -17,13 +17,13 @@ namespace {
 /** @brief Whether two openings are the same one, seen from two sides or by two walls in
  * a line. */
 bool
-areSame(const PlanOpening& a, const PlanOpening& b)
+areSame(const PlanOpening& a, const PlanOpening& b, double max_depth)
 {
   const Eigen::Vector2d way = (a.end - a.start).normalized();
   const Eigen::Vector2d left(-way.y(), way.x());
   if (std::abs(way.dot((b.end - b.start).normalized())) < opening_numbers.min_cosine ||
       std::abs(left.dot((b.start + b.end - a.start - a.end) / 2)) >
-          opening_numbers.same_wall)
+          max_depth)
     return false;
   const double s0 = way.dot(b.start - a.start);
   const double s1 = way.dot(b.end - a.start);
@@ -324,7 +324,7 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
 }
 
 void
-OpeningSearch::keepEachOnce()
+OpeningSearch::keepEachOnce(double max_depth)
 {
   std::vector<FoundOpening> all = std::move(found);
   found.clear();
@@ -336,7 +336,7 @@ OpeningSearch::keepEachOnce()
         std::find_if(found.begin(), found.end(), [&](const FoundOpening& other) {
           const bool are_back_to_back =
               other.isNiche() && candidate.isNiche() && other.side != candidate.side;
-          return !are_back_to_back && areSame(other.opening, candidate.opening);
+          return !are_back_to_back && areSame(other.opening, candidate.opening, max_depth);
         });
     if (same == found.end())
       found.push_back(candidate);

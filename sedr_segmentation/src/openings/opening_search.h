@@ -75,7 +75,7 @@ struct OpeningSearch {
                 const OpeningParameters& parameters);
 
   /** @brief Keeps of those that are the same, seen from two sides, the likeliest. */
-  void keepEachOnce();
+  void keepEachOnce(double max_depth);
 };
 
 /** @brief Returns the height of the floor before or behind an opening, the higher one.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/priors.h>
+
 namespace pcl::sedr {
 
 /** @brief Log-likelihood ratios of "opening" over "wall" and costs of openings, in
@@ -12,6 +14,7 @@ struct OpeningWeights {
   double half_seen = -15; ///< one face was seen where nothing shows the other: a leaf
                           ///< flush with it, or furniture before the other
   double within = 120;    ///< points between the two faces: no wall is there
+  double leaf = 30;      ///< a leaf that stands ajar hides both faces
   double empty = 20; ///< nothing, neither on the face nor before it: 0.9 of an opening
                      ///< look so, and a tenth of a wall, in patches of 0.1 m2
   double empty_outside = 8; ///< likewise of a face without another behind it
@@ -34,7 +37,7 @@ struct OpeningSizes {
   double min_height = 0.3;     ///< of a cellar window
   double min_head = 1.75;      ///< height of a door
   double max_gap = 12;         ///< of a bay, drawn to its pane
-  double max_depth = 0.6;      ///< of a wall: Priors::max_wall
+  double max_depth = Priors().max_wall; ///< of a wall
   double shallow = 0.3;        ///< of a wall without a known face behind it
   double before = 1.2;         ///< depth of what hides it
   double max_niche = 1;        ///< depth of a niche: Priors::max_niche_depth
@@ -77,7 +80,6 @@ struct OpeningNumbers {
   double back_step =
       0.05; ///< between places where the side behind is looked up, metres
   double back_band = 0.03; ///< of points of a back, metres
-  double same_wall = 0.6;  ///< across a wall between both sides of an opening, metres
   double same_share = 0.3; ///< of the smaller of two that are one opening
   double inside = 0.05; ///< of a room beside its wall, where heights are read, metres
   double noise_band = 0.06;    ///< of the points that show the noise, metres

@@ -44,7 +44,7 @@ WallMap::WallMap(const PlanRoom& room,
     depths_.push_back(
         std::min(std::isfinite(face) ? face : nearest,
                  static_cast<float>(std::min(sizes.shallow, sizes.max_depth))));
-  count(side, rays, takeAjarLeaves(points_, length_, cell_, side.floor, sizes));
+  count(side, rays, takeAjarLeaves(points_, side, cell_, sizes));
   closeGaps();
   findOffsets(side.line);
   points_.erase(std::remove_if(points_.begin(), points_.end(),

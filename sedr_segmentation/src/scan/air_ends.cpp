@@ -191,11 +191,12 @@ EndSurface
 surfaceOf(const std::vector<ColumnGap>& gaps,
           const GapBorders& borders,
           const std::vector<Eigen::Vector3d>& stations,
-          float ColumnGap::*end)
+          float ColumnGap::*end,
+          const Priors& priors)
 {
-  const EndPieces pieces = piecesOf(gaps, borders, end);
+  const EndPieces pieces = piecesOf(gaps, borders, end, priors);
   EndSurface surface;
-  const ThingCounts counts = thingsOf(gaps, pieces, end);
+  const ThingCounts counts = thingsOf(gaps, pieces, end, priors);
   surface.things = counts.things;
   surface.bars = counts.bars;
   for (const std::uint32_t piece : pieces.of)
@@ -212,7 +213,8 @@ AirAlongAxis
 airAlong(const PointView& points,
          const std::vector<int>& indices,
          const Eigen::Matrix3d& axes,
-         std::vector<Eigen::Vector3d> stations)
+         std::vector<Eigen::Vector3d> stations,
+         const Priors& priors)
 {
   for (Eigen::Vector3d& station : stations)
     station = axes * station;
@@ -226,8 +228,8 @@ airAlong(const PointView& points,
   const GapBorders borders = bordersOf(gaps);
   air.area = air_columns::size * air_columns::size * static_cast<double>(gaps.size());
   air.height = middleValue(heights);
-  air.low = surfaceOf(gaps, borders, stations, &ColumnGap::low);
-  air.high = surfaceOf(gaps, borders, stations, &ColumnGap::high);
+  air.low = surfaceOf(gaps, borders, stations, &ColumnGap::low, priors);
+  air.high = surfaceOf(gaps, borders, stations, &ColumnGap::high, priors);
   return air;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -11,15 +12,15 @@ namespace pcl::sedr {
 
 /** @brief One of the two surfaces at which the air along an axis ends. Its pieces are
  * connected without steps of 0.2 m. Small ones that stand out into the air from what is
- * beside them, 1.3 m at most, are things, if an end of them stands free, and bars, if
- * both ends meet walls; less than 0.25 square metres count as a part of one. */
+ * beside them, less than headroom, are things, if an end of them stands free, and bars,
+ * if both ends meet walls; the smallest count as a part of one. */
 struct EndSurface {
   double levels =
       0;            ///< entropy of its heights in steps of 0.1 m, nats: the mean of
                     ///< those of the first gaps of all columns, of the second ones, ...
   double large = 0; ///< share of pieces of 2 square metres and more
   double things = 0;   ///< number of them; a third of those that leave headroom
-  double bars = 0;     ///< number of those below 0.5 m of width that leave headroom
+  double bars = 0;     ///< number of those below 0.6 m of width that leave headroom
   double relief = 0;   ///< share of steps of 3 cm in 10 cm within large pieces
   double stations = 0; ///< log-odds that scanners stand on it, not anywhere, nats
 };
@@ -39,6 +40,7 @@ struct AirAlongAxis {
 AirAlongAxis airAlong(const PointView& points,
                       const std::vector<int>& indices,
                       const Eigen::Matrix3d& axes,
-                      std::vector<Eigen::Vector3d> stations);
+                      std::vector<Eigen::Vector3d> stations,
+                      const Priors& priors = {});
 
 } // namespace pcl::sedr

@@ -77,13 +77,13 @@ framePoints(const PointView& points,
 {
   const double steepest = std::sin(radians(5));
   const auto keyOf = [](const Eigen::Vector3d& p) {
-    std::int64_t key = 0;
+    std::uint64_t key = 0; // of patches below 0 and far away too: modulo 2^64
     for (int axis = 0; axis < 3; ++axis)
-      key =
-          key * (1 << 21) + static_cast<std::int64_t>(std::floor(p[axis] / patch_size));
+      key = key * (1 << 21) + static_cast<std::uint64_t>(static_cast<std::int64_t>(
+                                  std::floor(p[axis] / patch_size)));
     return key;
   };
-  std::unordered_map<std::int64_t, Eigen::Vector3d> normals;
+  std::unordered_map<std::uint64_t, Eigen::Vector3d> normals;
   for (const PlanePatch& patch : planesOf(points, indices, level, patch_size, threads))
     normals[keyOf(patch.middle)] = patch.normal;
   FramePoints found;

@@ -13,14 +13,13 @@
 
 namespace pcl::sedr {
 
-namespace {
 constexpr float least_step = 0.2F; // metres, of pieces
-} // namespace
 
 EndPieces
 piecesOf(const std::vector<ColumnGap>& gaps,
          const GapBorders& borders,
-         float ColumnGap::*end)
+         float ColumnGap::*end,
+         const Priors& priors)
 {
   const float into_air = end == &ColumnGap::low ? 1 : -1;
   float ColumnGap::*const other =
@@ -30,6 +29,7 @@ piecesOf(const std::vector<ColumnGap>& gaps,
     if (std::abs(gaps[a].*end - gaps[b].*end) < least_step)
       sets.join(a, b);
   EndPieces pieces;
+  pieces.large = 2 * priors.min_slab_area;
   for (auto* sums :
        {&pieces.areas, &pieces.rises, &pieces.borders, &pieces.even_borders})
     sums->assign(gaps.size(), 0);
@@ -134,11 +134,11 @@ stepOf(const EndPieces& pieces, std::uint32_t piece)
 /** @brief Returns whether a piece may be furniture, a beam or the like. Where the other
  * end of the air has steps as well, it is a window, or a place outdoors. */
 bool
-isThing(const EndPieces& pieces, std::uint32_t piece)
+isThing(const EndPieces& pieces, std::uint32_t piece, const Priors& priors)
 {
   const double step = stepOf(pieces, piece);
-  return step > 0 && step < Priors().min_headroom &&
-         pieces.areas[piece] < Priors().max_furniture_area &&
+  return step > 0 && step < priors.min_headroom &&
+         pieces.areas[piece] < priors.max_furniture_area &&
          2 * pieces.even_borders[piece] >= pieces.borders[piece];
 }
 
@@ -149,10 +149,11 @@ addThing(const std::vector<ColumnGap>& gaps,
          const EndPieces& pieces,
          const std::vector<std::uint32_t>& members,
          float ColumnGap::*end,
+         const Priors& priors,
          ThingCounts& counts)
 {
   constexpr double whole_thing = 0.2; // square metres; smaller ones count less
-  const Priors priors;
+  constexpr double widest_bar = 0.6;  // metres
   std::vector<ColumnGap> things;
   std::vector<double> heights;
   for (const std::uint32_t i : members) {
@@ -172,7 +173,7 @@ addThing(const std::vector<ColumnGap>& gaps,
   if (is_free && stepOf(pieces, piece) >= priors.max_step_height)
     counts.things += has_headroom ? count / 3 : count;
   else if (!is_free && has_headroom &&
-           pieces.areas[piece] <= priors.max_wall * box.length())
+           pieces.areas[piece] <= widest_bar * box.length())
     counts.bars += count;
 }
 
@@ -181,15 +182,16 @@ addThing(const std::vector<ColumnGap>& gaps,
 ThingCounts
 thingsOf(const std::vector<ColumnGap>& gaps,
          const EndPieces& pieces,
-         float ColumnGap::*end)
+         float ColumnGap::*end,
+         const Priors& priors)
 {
   std::map<std::uint32_t, std::vector<std::uint32_t>> members;
   for (std::uint32_t i = 0; i < gaps.size(); ++i)
-    if (isThing(pieces, pieces.of[i]))
+    if (isThing(pieces, pieces.of[i], priors))
       members[pieces.of[i]].push_back(i);
   ThingCounts counts;
   for (const auto& of_piece : members)
-    addThing(gaps, pieces, of_piece.second, end, counts);
+    addThing(gaps, pieces, of_piece.second, end, priors, counts);
   return counts;
 }
 

@@ -57,15 +57,15 @@ struct EndPieces {
   std::vector<double> borders;      ///< number of these steps
   std::vector<double> even_borders; ///< where the other end of the air has no step
 
-  bool isLarge(std::uint32_t piece) const
-  {
-    return areas[piece] >= 2 * Priors().min_slab_area;
-  }
+  double large = 0;                 ///< area of large ones, square metres
+
+  bool isLarge(std::uint32_t piece) const { return areas[piece] >= large; }
 };
 
 EndPieces piecesOf(const std::vector<ColumnGap>& gaps,
                    const GapBorders& borders,
-                   float ColumnGap::*end);
+                   float ColumnGap::*end,
+                   const Priors& priors);
 
 /** @brief What stands out of an end of the air. */
 struct ThingCounts {
@@ -76,6 +76,7 @@ struct ThingCounts {
 /** @brief Counts the pieces that may be furniture or beams; no gap, no piece. */
 ThingCounts thingsOf(const std::vector<ColumnGap>& gaps,
                      const EndPieces& pieces,
-                     float ColumnGap::*end);
+                     float ColumnGap::*end,
+                     const Priors& priors);
 
 } // namespace pcl::sedr

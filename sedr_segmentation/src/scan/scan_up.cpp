@@ -113,6 +113,7 @@ public:
                const std::vector<Eigen::Vector3d>& stations,
                const Eigen::Matrix3d& turn,
                bool may_be_in_feet,
+               const Priors& priors,
                unsigned threads)
   {
     parallelFor(may_be_in_feet ? 6 : 3, 1, threads, [&](std::size_t i) {
@@ -121,7 +122,7 @@ public:
         axes.row(static_cast<Eigen::Index>(k)) =
             (i < 3 ? 1 : foot) *
             turn.row(static_cast<Eigen::Index>((i % 3 + 1 + k) % 3));
-      air_[i / 3][i % 3] = airAlong(points, indices, axes, stations);
+      air_[i / 3][i % 3] = airAlong(points, indices, axes, stations, priors);
     });
   }
 
@@ -171,9 +172,8 @@ public:
       return formatText(
           "the scan seems to be upside down: on what are its floors then %.0f things "
           "stand free, as furniture does, on its ceilings %.0f; %.0f and %.0f reach "
-          "from "
-          "wall to wall, as beams and lintels do; %.0f %% and %.0f %% slope or have "
-          "ribs",
+          "from wall to wall, as beams and lintels do; %.0f %% and %.0f %% slope or "
+          "have ribs",
           z.high.things, z.low.things, z.high.bars, z.low.bars, 100 * z.high.relief,
           100 * z.low.relief);
     const auto described = [](const AirAlongAxis& air) {
@@ -239,7 +239,8 @@ doubtOfUp(const PointView& points,
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const AirAlongAxes air(points, indices, stations, turn, !known.unit, threads);
+  const AirAlongAxes air(points, indices, stations, turn, !known.unit, priors,
+                         threads);
   const auto upOf = [&](const Direction& up) -> Eigen::Vector3d {
     return up.sign * turn.row(static_cast<Eigen::Index>(up.axis));
   };

@@ -153,14 +153,20 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
       if (!isSeen((flight.flight->middle(k) + flight.flight->middle(k + 1)) / 2))
         first = k + 1;
     const PlanRoom& room = *findRoom(plan, flight.room);
-    const bool is_within = room.contains(flight.flight->middle(0)) ||
-                           room.contains(flight.flight->middle(flight.below - 1));
+    const auto isThrough = [&](const Eigen::Vector2d& p) { // a wall beside the flight
+      std::size_t nearest = 0;
+      for (std::size_t k = 1; k < flight.below; ++k)
+        if ((flight.flight->middle(k) - p).norm() <
+            (flight.flight->middle(nearest) - p).norm())
+          nearest = k;
+      return !room.contains(p) && room.contains(flight.flight->middle(nearest));
+    };
     for (const PlanElement& line : first + 1 < flight.below
                                        ? flight.linesFrom(first)
                                        : std::vector<PlanElement>())
       for (const PlanElement& part : partsWhere(line, [&](double s) {
              const Eigen::Vector2d p = line.pointAt(s);
-             return isSeen(p) && (!is_within || room.contains(p));
+             return isSeen(p) && !isThrough(p);
            }))
         if (part.length() > beside)
           lines.push_back({part, PlanLayer::Stair, flight.room});

@@ -9,10 +9,37 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
 namespace {
+
+TEST(ParallelBlocks, VisitEveryNumberOnceInBlocksOfTheSizeAskedFor)
+{
+  for (const unsigned threads : {0u, 1u, 3u, 8u})
+    for (const std::size_t n : {0, 1, 10, 11}) {
+      std::vector<int> visits(n, 0);
+      pcl::sedr::parallelBlocks(n, 5, threads, [&](std::size_t begin, std::size_t end) {
+        EXPECT_EQ(begin % 5, 0u);
+        EXPECT_LE(end - begin, 5u);
+        for (std::size_t i = begin; i < end; ++i)
+          ++visits[i];
+      });
+      EXPECT_EQ(visits, std::vector<int>(n, 1));
+    }
+}
+
+TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
+{
+  const auto run = [] {
+    pcl::sedr::parallelBlocks(100, 1, 4, [](std::size_t begin, std::size_t) {
+      if (begin == 42)
+        throw std::runtime_error("42");
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+}
 
 TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAskedFor)
 {

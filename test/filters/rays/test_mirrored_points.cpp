@@ -176,6 +176,23 @@ TEST(MirroredPoints, RaysThatMeetReflectionsAreNoLinesOfSight)
   EXPECT_LT(beyond, (found.rays - found.lines.size()) / 5);
 }
 
+TEST(MirroredPoints, WhatIsSeenFreelyTooStays)
+{
+  GlazedRoom room;
+  room.scanFrom({2.8, 2.4, 1.5}, 1);
+  const std::size_t mirrored = countOf(room.found().of_rows);
+  ASSERT_GT(mirrored, 300u);
+  // The same points again, seen from a position behind the pane with nothing between.
+  const std::size_t rows = room.rows.size();
+  room.positions.push_back({rows, Eigen::Vector3f(9, 2.4F, 1.5F)});
+  for (std::size_t i = 0; i < rows; ++i)
+    if (room.is_image[i]) {
+      room.rows.push_back(room.rows[i]);
+      room.is_image.push_back(false);
+    }
+  EXPECT_LT(countOf(room.found().of_rows), mirrored / 20);
+}
+
 TEST(MirroredPoints, WithoutKnownPositionsNothingIsLeftOut)
 {
   GlazedRoom room;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <tuple>
@@ -53,6 +54,19 @@ TEST(VoxelColumns, LoseStraysAndKeepTheEdgesOfSurfaces)
   const Voxels kept = voxelsOf(columns);
   EXPECT_TRUE(std::includes(plane.begin(), plane.end(), kept.begin(), kept.end()));
   EXPECT_EQ(kept.size() + 4, plane.size()) << "without its corners";
+}
+
+TEST(VoxelColumns, ADenseSurfaceDoesNotMakeASparseScanDense)
+{
+  RoomPoints points(0.05);
+  const auto sparse =
+      points.slab(rectangle(-3, -3, 3, 3), 0.01, [](double x, double y) {
+        return std::lround(x / 0.05 - 0.5) % 4 == 0 &&
+               std::lround(y / 0.05 - 0.5) % 4 == 0;
+      });
+  const auto dense = points.slab(rectangle(10, 0, 12, 1.5), 0.01);
+  ASSERT_GT(dense.size(), sparse.size());
+  EXPECT_EQ(columnsOf(points).usualCompany(1), 0);
 }
 
 TEST(VoxelColumns, TakeMemoryForWhatIsKeptAndNotForTheBox)

@@ -128,6 +128,12 @@ public:
     });
   }
 
+  /** Scans the ceiling of the first room. */
+  void scanCeiling()
+  {
+    sheet(0, 5, 0, face, [&](double x, double y, double off) { add(x, y, 2.5 + off); });
+  }
+
   /** Scans the leaf of a door, hinged at x, y and turned by an angle from x. */
   void scanLeaf(double x, double y, double degrees, double width, double height)
   {

@@ -57,6 +57,38 @@ TEST(OpeningLeaves, ALeafThatStandsAjarHidesADoorNotAWall)
     }
 }
 
+TEST(OpeningLeaves, ALeafThatStandsWideOpenHidesAWall)
+{
+  for (const bool is_inner : {true, false})
+    for (const bool is_at_from : {true, false})
+      for (const double degrees : {120.0, 150.0, 170.0}) {
+        SCOPED_TRACE(degrees);
+        TwoRooms scene(0.003);
+        // The wall behind it was not seen from the room that it opens into.
+        const Cut hidden = is_at_from ? Cut{door.from - 0.88, door.from, 0, 2}
+                                      : Cut{door.to, door.to + 0.88, 0, 2};
+        if (is_inner)
+          scene.scanMiddleWall({door}, {hidden});
+        else
+          scene.scanOuterWall({door}, {hidden});
+        const double turn = is_inner ? -degrees : degrees;
+        scene.scanLeaf(is_at_from ? door.from : door.to, is_inner ? TwoRooms::face : 0,
+                       is_at_from ? turn : 180 - turn, 0.88, 2);
+        const PlanOpening found = openingOf(scene, OpeningKind::Door);
+        EXPECT_NEAR(found.width(), door.to - door.from, 0.04);
+        EXPECT_EQ(found.state, OpeningState::Open);
+      }
+}
+
+TEST(OpeningLeaves, ALowSheetBelowACeilingIsNoLeaf)
+{
+  TwoRooms scene(0.003);
+  scene.scanOuterWall({}, {{door.from, door.to, 0, 1.3}});
+  scene.scanLeaf(door.from, 0, 20, 0.88, 1.3);
+  scene.scanCeiling();
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
 TEST(OpeningLeaves, AScreenThatStandsAskewBeforeAWallIsNoLeaf)
 {
   for (const double off : {0.2, 0.4}) {

@@ -138,11 +138,10 @@ distance(const Face& a, const Face& b)
 bool
 arePartition(const Face& a, const Face& b)
 {
-  constexpr double thickest = 0.6; // metres
   const double thickness = -a.normal().dot(b.place() - a.place());
   return a.room != b.room && shareHeights(a.heights, b.heights) &&
          a.normal().dot(b.normal()) <= -parallel && overlap(a, b) && thickness > 0 &&
-         thickness < thickest;
+         thickness < Priors().max_wall;
 }
 
 /** @brief Returns whether two walls are consecutive in the outline of one room. */

@@ -156,7 +156,7 @@ struct IfcModel {
  * with quantities, part of its storey. It is a swept solid if floor and ceiling are
  * level and have no details, otherwise the triangles of extrudeRoom().
  *
- * Two faces of different rooms, at most 0.6 m apart, are an IfcWall of that thickness.
+ * Two faces of different rooms, at most Priors::max_wall apart, are an IfcWall of that thickness.
  * A wall with one face seen has the assumed thickness, which its Pset_SEDR states. The
  * x axis of a wall's placement runs along the wall. Floors and the uppermost ceilings
  * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
