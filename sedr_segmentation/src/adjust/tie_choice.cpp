@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_ties.h"
+#include "shared_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +9,6 @@
 namespace pcl::sedr {
 
 namespace {
-
-/** @brief A value that several unknowns share, of one degree of freedom. */
-struct SharedValue {
-  double value = 0;
-  double information = 0;
-  std::size_t first = 0; ///< unknown that the others are tied to
-  std::size_t members = 0;
-};
 
 class TieChoice {
 public:
@@ -61,53 +54,31 @@ private:
     return numbers;
   }
 
-  /** @brief Ties each unknown to the shared value that explains it best, if any does
-   * better than a value of its own. Values are as probable as they are frequent. */
+  /** @brief Ties unknowns whose values of a parameter are one to the first of them. */
   template <typename Value>
-  void shareValues(const std::vector<std::size_t>& numbers,
-                   Eigen::Index parameter,
-                   double interval,
-                   double period,
-                   PlanTieKind kind,
-                   const Value& value)
+  void tieValues(const std::vector<std::size_t>& numbers,
+                 Eigen::Index parameter,
+                 double interval,
+                 double period,
+                 PlanTieKind kind,
+                 const Value& value)
   {
-    std::vector<SharedValue> shared;
-    for (const std::size_t u : numbers) {
-      const double variance = plan_.all[u].information.inverse()(parameter, parameter);
-      const double own = value(plan_.all[u]);
-      double most = 0;
-      double difference = 0;
-      SharedValue* best = nullptr;
-      for (SharedValue& s : shared) {
-        const double both = variance + 1 / s.information;
-        double off = own - s.value;
-        off -= period > 0 ? period * std::round(off / period) : 0;
-        const double gain = std::log(interval) - std::log(2 * M_PI * both) / 2 +
-                            std::log(static_cast<double>(s.members)) -
-                            off * off / (2 * both);
-        if (gain <= most)
-          continue;
-        most = gain;
-        best = &s;
-        difference = off;
-      }
-      if (!best) {
-        shared.push_back({own, 1 / variance, u, 1});
-        continue;
-      }
-      best->information += 1 / variance;
-      best->value += difference / variance / best->information;
-      ++best->members;
-      ties_.push_back({kind, best->first, u});
-    }
+    std::vector<MeasuredValue> values;
+    for (const std::size_t u : numbers)
+      values.push_back({value(plan_.all[u]),
+                        plan_.all[u].information.inverse()(parameter, parameter)});
+    const std::vector<std::size_t> first = shareValues(values, interval, period);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (first[i] != i)
+        ties_.push_back({kind, numbers[first[i]], numbers[i]});
   }
 
   void shareDirections()
   {
-    shareValues(ordered(UnknownKind::Line, 1), 1, parameters_.free_direction, M_PI / 2,
-                PlanTieKind::Direction, [](const Unknown& u) {
-                  return std::atan2(u.direction.y(), u.direction.x());
-                });
+    tieValues(ordered(UnknownKind::Line, 1), 1, parameters_.free_direction, M_PI / 2,
+              PlanTieKind::Direction, [](const Unknown& u) {
+                return std::atan2(u.direction.y(), u.direction.x());
+              });
     direction_.resize(plan_.all.size());
     for (std::size_t u = 0; u < plan_.all.size(); ++u)
       direction_[u] = u;
@@ -218,8 +189,8 @@ private:
       std::stable_sort(slabs.begin(), slabs.end(), [&](std::size_t a, std::size_t b) {
         return plan_.all[a].information(0, 0) > plan_.all[b].information(0, 0);
       });
-      shareValues(slabs, 0, parameters_.free_height, 0, PlanTieKind::EqualHeight,
-                  [](const Unknown& u) { return u.height; });
+      tieValues(slabs, 0, parameters_.free_height, 0, PlanTieKind::EqualHeight,
+                [](const Unknown& u) { return u.height; });
     }
   }
 
