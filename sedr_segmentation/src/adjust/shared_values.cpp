@@ -28,9 +28,8 @@ public:
 
   std::vector<std::size_t> run()
   {
-    constexpr int max_rounds = 20;
-    bool is_moved = true;
-    for (int round = 0; round < max_rounds && is_moved; ++round) {
+    bool is_moved = true; // values take turns until none gains, in a few rounds
+    for (std::size_t round = 0; round < values_.size() && is_moved; ++round) {
       is_moved = false;
       for (std::size_t i = 0; i < values_.size(); ++i)
         is_moved = place(i) || is_moved;

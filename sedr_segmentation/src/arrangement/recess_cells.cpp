@@ -63,7 +63,7 @@ public:
       const Eigen::Vector2d p =
           line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
       const Eigen::Vector2d normal = leftOf(line.curve.tangentAt(p));
-      const bool goes_on = line.between[i] == StoreyLine::Between::Partly;
+      const bool goes_on = line.part[i] > 0;
       const bool is_beam = !is_wall && !is(base_, p);
       lookBehind(p, normal, goes_on, is_beam);
       lookBehind(p, -normal, goes_on, is_beam);

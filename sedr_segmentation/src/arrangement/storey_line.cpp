@@ -238,16 +238,16 @@ LineEvidence::findBetween(StoreyLine& line) const
   const std::vector<double> since = waysToSurface(line.tall, true);
   const std::vector<double> until = waysToSurface(line.tall, false);
   const double support = line.support();
-  std::vector<float> parts(bins, 0);
+  line.part.assign(bins, 0);
   forEachOn(line, parts_,
-            [&](std::size_t, std::size_t i, double, double) { parts[i] = 1; });
-  clean(parts);
+            [&](std::size_t, std::size_t i, double, double) { line.part[i] = 1; });
+  clean(line.part);
   line.between.assign(bins, StoreyLine::Between::Beyond);
   for (std::size_t i = 0; i < bins; ++i) {
     const double gap = since[i] + until[i];
     const Cell cell = cellAt(line, i);
     // A wall of which more is seen than the gap is long may have a blind behind it.
-    const bool is_opening = parts[i] > 0 && gap < std::min(support, max_hidden);
+    const bool is_opening = line.part[i] > 0 && gap < std::min(support, max_hidden);
     if (is_opening || (isIn(part_, cell) && !isIn(opaque_, cell)))
       line.between[i] = StoreyLine::Between::Partly;
     else if (gap < max_hidden)

@@ -34,7 +34,8 @@ struct StoreyLine : FaceCurve {
       seen;                     ///< share explained, by room and bin
   std::vector<float> any;       ///< the most of them
   std::vector<float> tall;      ///< the same where it reaches up to the ceiling
-  std::vector<Between> between; ///< of each bin where it does not
+  std::vector<float> part;      ///< 1 where one is on it below or above an opening
+  std::vector<Between> between; ///< of each bin where it does not reach up
   std::vector<double> edges;    ///< where the surface begins or ends, along the curve
 
   /** @brief Returns how well a surface is explained at a place; -1 beyond the ends. */

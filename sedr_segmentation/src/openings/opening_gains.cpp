@@ -71,7 +71,7 @@ public:
       gain = weights_.within;
     else if (cell.here == WallCell::Leaf ||
              (cell.is_known && cell.behind == WallCell::Leaf))
-      gain = weights_.leaf;
+      gain = weights_.empty;
     else if (isNothing(cell.here))
       gain = !cell.is_known           ? weights_.empty_outside
              : isNothing(cell.behind) ? 2 * weights_.empty

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/priors.h>
-
 namespace pcl::sedr {
 
 /** @brief Log-likelihood ratios of "opening" over "wall" and costs of openings, in
@@ -14,9 +12,9 @@ struct OpeningWeights {
   double half_seen = -15; ///< one face was seen where nothing shows the other: a leaf
                           ///< flush with it, or furniture before the other
   double within = 120;    ///< points between the two faces: no wall is there
-  double leaf = 30;      ///< a leaf that stands ajar hides both faces
   double empty = 20; ///< nothing, neither on the face nor before it: 0.9 of an opening
-                     ///< look so, and a tenth of a wall, in patches of 0.1 m2
+                     ///< look so, and a tenth of a wall, in patches of 0.1 m2; or a
+                     ///< leaf that stands ajar
   double empty_outside = 8; ///< likewise of a face without another behind it
   // A metre of an edge.
   double reveal = 12;      ///< from a seen face to points within the wall
@@ -37,7 +35,7 @@ struct OpeningSizes {
   double min_height = 0.3;     ///< of a cellar window
   double min_head = 1.75;      ///< height of a door
   double max_gap = 12;         ///< of a bay, drawn to its pane
-  double max_depth = Priors().max_wall; ///< of a wall
+  double max_depth = 0;        ///< of a wall: Priors::max_wall
   double shallow = 0.3;        ///< of a wall without a known face behind it
   double before = 1.2;         ///< depth of what hides it
   double max_niche = 1;        ///< depth of a niche: Priors::max_niche_depth

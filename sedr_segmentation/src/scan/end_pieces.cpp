@@ -153,7 +153,6 @@ addThing(const std::vector<ColumnGap>& gaps,
          ThingCounts& counts)
 {
   constexpr double whole_thing = 0.2; // square metres; smaller ones count less
-  constexpr double widest_bar = 0.6;  // metres
   std::vector<ColumnGap> things;
   std::vector<double> heights;
   for (const std::uint32_t i : members) {
@@ -173,7 +172,7 @@ addThing(const std::vector<ColumnGap>& gaps,
   if (is_free && stepOf(pieces, piece) >= priors.max_step_height)
     counts.things += has_headroom ? count / 3 : count;
   else if (!is_free && has_headroom &&
-           pieces.areas[piece] <= widest_bar * box.length())
+           pieces.areas[piece] <= priors.max_wall * box.length())
     counts.bars += count;
 }
 
