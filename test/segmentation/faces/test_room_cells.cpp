@@ -108,6 +108,7 @@ TEST(RecessCells, EachCellOfAWindowsRecessIsFoundHoweverItIsTurned)
   for (const double turn : {0.0, 0.3, 0.7, 1.2}) {
     StoreyLine wall = endLine({0, 0}, {std::cos(turn), std::sin(turn)}, 2, 1, 0.03);
     wall.is_end = false;
+    wall.part.assign(wall.any.size(), 1);
     wall.between.assign(wall.any.size(), StoreyLine::Between::Partly);
     const Eigen::Vector2d out = leftOf(wall.curve.direction);
     RoomCells room;

@@ -24,16 +24,17 @@ withRecess(double depth, double end = 3.5)
 }
 
 /** Fits the room with a recess. Above `sill` everything was scanned, below it the wall
- * in front of the recess, and of the back the points where `isSeen` is true. An
- * optional soffit of 0.6 m continues into the recess. Furniture hides the wall below
- * the sill up to `hidden`. */
+ * in front of the recess, or what stands `behind` it, and of the back the points where
+ * `isSeen` is true. An optional soffit of 0.6 m continues into the recess. Furniture
+ * hides the wall below the sill up to `hidden`. */
 PlanRoom
 fittedAbove(double sill,
             double depth,
             const RoomPoints::OnWall& isSeen,
             bool has_soffit = false,
             double end = 3.5,
-            double hidden = 0)
+            double hidden = 0,
+            double behind = 0)
 {
   RoomPoints points(0.05, 0.003);
   const PlanLoop loop = withRecess(depth, end);
@@ -66,7 +67,8 @@ fittedAbove(double sill,
   }
   if (sill > 0)
     parts.walls =
-        joined(parts.walls, points.wall(segment({end, 4}, {1.5, 4}), hidden, sill));
+        joined(parts.walls, points.wall(segment({end, 4 + behind}, {1.5, 4 + behind}),
+                                        hidden, sill));
   PlanRoom room = fitted(points, parts);
   room.niches = nichesOf(points, room);
   return room;
@@ -85,21 +87,22 @@ TEST(Recesses, ArePartsOfTheRoomFromFloorToCeilingOrIfDeepAndClosedElseNot)
     double sill, depth;
     RoomPoints::OnWall isSeen;
     bool is_part = false;
-    double end = 3.5, hidden = 0; ///< of fittedAbove()
+    double end = 3.5, hidden = 0, behind = 0; ///< of fittedAbove()
   };
-  for (const Case& c :
-       std::vector<Case>{{"low sill", 0.45, 0.25, all_of_it},
-                         {"a blind may be as deep", 0.9, 0.25, all_of_it},
-                         {"behind furniture", 0.9, 0.25, all_of_it, false, 3.5, 0.55},
-                         {"next to a corner and behind furniture", 0.9, 0.25, all_of_it,
-                          false, 5, 0.55},
-                         {"a window of which the frame is seen", 0.45, 0.25, isFrame},
-                         {"one sees through it", 0, 0.35, nothing},
-                         {"from floor to ceiling", 0, 0.25, all_of_it, true},
-                         {"deep, from floor to ceiling", 0, 0.5, all_of_it, true}}) {
+  for (const Case& c : std::vector<Case>{
+           {"low sill", 0.45, 0.25, all_of_it},
+           {"a blind may be as deep", 0.9, 0.25, all_of_it},
+           {"behind furniture", 0.9, 0.25, all_of_it, false, 3.5, 0.55},
+           {"next to a corner and behind furniture", 0.9, 0.25, all_of_it, false, 5,
+            0.55},
+           {"a window of which the frame is seen", 0.45, 0.25, isFrame},
+           {"what stands in it is no sill", 0.9, 0.35, all_of_it, true, 3.5, 0, 0.1},
+           {"one sees through it", 0, 0.35, nothing},
+           {"from floor to ceiling", 0, 0.25, all_of_it, true},
+           {"deep, from floor to ceiling", 0, 0.5, all_of_it, true}}) {
     SCOPED_TRACE(c.what);
     const PlanRoom room =
-        fittedAbove(c.sill, c.depth, c.isSeen, false, c.end, c.hidden);
+        fittedAbove(c.sill, c.depth, c.isSeen, false, c.end, c.hidden, c.behind);
     EXPECT_EQ(room.boundary.elements.size(), c.is_part ? 8u : 4u);
     EXPECT_LT(cornerError(room.boundary,
                           c.is_part ? withRecess(c.depth) : rectangle(0, 0, 5, 4)),
