@@ -181,5 +181,19 @@ TEST(SceneMesh, closesOpeningsWithFacesOfTheirNumberOnBothSides)
   EXPECT_TRUE(checkTopology(truthOf(scene)).isClosedManifold());
 }
 
+TEST(SceneMesh, leavesWindowsAboveNichesOpen)
+{
+  const SceneMesh scene = meshOf(read(with(boxFile(), R"({
+      "/rooms/0/niches": [{"wall": 0, "from": 1, "to": 3, "sill": 0, "head": 0.9, "depth": 0.2}],
+      "/rooms/0/openings": [
+        {"wall": 0, "from": 1, "to": 3, "sill": 0.9, "head": 2, "depth": 0.3}]})")));
+  double reveal = 0;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t)
+    if (scene.surfaces[t] == Surface::Object)
+      reveal += scene.mesh.scaledNormal(t).norm() / 2;
+  EXPECT_NEAR(reveal, 2 * (1.1 + 2) * 0.3, 1e-9); // nothing across it
+  EXPECT_TRUE(checkTopology(truthOf(scene)).isClosedManifold());
+}
+
 } // namespace
 } // namespace pcl::sedr::sim::test

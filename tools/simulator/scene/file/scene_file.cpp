@@ -112,6 +112,15 @@ checkVoid(const Scene& scene,
 }
 
 void
+checkVoids(const Scene& scene)
+{
+  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
+    for (std::size_t k = 0; k < scene.rooms[i].voids.size(); ++k)
+      checkVoid(scene, scene.rooms[i], scene.rooms[i].voids[k],
+                placeOf(placeOf("rooms", i) + ".voids", k));
+}
+
+void
 checkGaps(const Scene& scene)
 {
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
@@ -122,8 +131,6 @@ checkGaps(const Scene& scene)
         checkGap(scene, room, room.openings[k], placeOf(place + ".openings", k));
     for (std::size_t k = 0; k < room.wall_niches.size(); ++k)
       checkGap(scene, room, room.wall_niches[k], placeOf(place + ".niches", k));
-    for (std::size_t k = 0; k < room.voids.size(); ++k)
-      checkVoid(scene, room, room.voids[k], placeOf(place + ".voids", k));
   }
 }
 
@@ -149,6 +156,7 @@ void
 checkScene(const Scene& scene)
 {
   checkOverlaps(scene.rooms);
+  checkVoids(scene);
   meshOf(scene);
   checkGaps(scene);
   for (std::size_t i = 0; i < scene.scanners.size(); ++i)
