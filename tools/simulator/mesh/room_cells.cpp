@@ -2,6 +2,7 @@
 #include "room_cells.h"
 
 #include "simulator/scene/queries.h"
+#include "simulator/scene/shapes.h"
 
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_surface/src/triangulation/triangulation.h"
@@ -118,6 +119,9 @@ private:
     for (const Loop* loop : loops)
       for (const Element& element : loop->elements)
         addChords(element, Part::Other);
+    for (const PlanDetail& detail : room_.details)
+      for (const Element& crease : creasesOf(detail))
+        addChords(crease, Part::Other);
     for (const Recess& recess : recesses_)
       if (recess.space.kind == Space::Reveal)
         addChords(recess.outline.elements[2], Part::FarSide);

@@ -10,129 +10,107 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-using Polygon = std::vector<Vec2>;
-
-/** @brief Returns the part of a convex polygon where p.dot(normal) is at most @p
- * limit. */
-Polygon
-clipped(const Polygon& polygon, const Vec2& normal, double limit)
+/** @brief Returns the angle between two edges of the facets of a circle, radians. */
+double
+facetAngle(double radius)
 {
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2& a = polygon[i];
-    const Vec2& b = polygon[(i + 1) % polygon.size()];
-    const double over_a = a.dot(normal) - limit;
-    const double over_b = b.dot(normal) - limit;
-    if (over_a <= kSamePoint)
-      kept.push_back(a);
-    if ((over_a < -kSamePoint && over_b > kSamePoint) ||
-        (over_a > kSamePoint && over_b < -kSamePoint))
-      kept.push_back(a + over_a / (over_a - over_b) * (b - a));
-  }
-  return kept;
+  return std::sqrt(8.0 * kCurveTolerance / radius);
 }
 
-PlanDetail
-facetOver(const Polygon& corners, const Slab& slab)
+double
+largestRadius(const SlabCurve& ellipsoid)
 {
-  return {loopOf(corners), {}, slab, true};
-}
-
-/** @brief How a circle is cut into facets that deviate as much inwards as outwards. */
-struct FacetSteps {
-  double angle = 0.0;  ///< radians between two edges
-  double radius = 0.0; ///< of the edges
-};
-
-FacetSteps
-facetStepsOf(double radius)
-{
-  constexpr double mean_share = 2.0 / 3.0; // mean deviation of a chord over its maximum
-  return {std::sqrt(8.0 * kCurveTolerance / radius),
-          radius + mean_share * kCurveTolerance};
+  return std::max({ellipsoid.along, ellipsoid.across, ellipsoid.up});
 }
 
 } // namespace
 
-std::vector<PlanDetail>
-facetsOf(const Vault& vault, const Loop& loop)
+double
+edgeRadius(double radius)
 {
-  const Vec2 across = rotated({0.0, 1.0}, vault.direction);
-  Polygon polygon;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Element& side : loop.elements) {
-    if (side.isArc())
-      fail("A vault needs straight sides");
-    polygon.push_back(side.start - vault.at);
-    low = std::min(low, polygon.back().dot(across));
-    high = std::max(high, polygon.back().dot(across));
-  }
-  if (std::max(high, -low) > vault.radius + kSamePoint)
-    fail("A vault does not reach the sides of its loop");
-  const FacetSteps steps = facetStepsOf(vault.radius);
-  const double first = std::asin(std::max(-1.0, low / steps.radius));
-  const double last = std::asin(std::min(1.0, high / steps.radius));
-  const auto count = static_cast<int>(std::ceil((last - first) / steps.angle));
-  const auto edgeAt = [&](int k) {
-    const double angle = first + (last - first) * k / count;
-    return Vec2(k == 0       ? low
-                : k == count ? high
-                             : steps.radius * std::sin(angle),
-                vault.height + steps.radius * std::cos(angle));
-  };
-  std::vector<PlanDetail> facets;
-  for (int k = 0; k < count; ++k) {
-    const Vec2 from = edgeAt(k); // across, up
-    const Vec2 to = edgeAt(k + 1);
-    const double slope = (to.y() - from.y()) / (to.x() - from.x());
-    Polygon band = clipped(clipped(polygon, across, to.x()), -across, -from.x());
-    for (Vec2& corner : band)
-      corner += vault.at;
-    facets.push_back(
-        facetOver(band, planeThrough(lifted(vault.at + from.x() * across, from.y()),
-                                     slope * across)));
-  }
-  return facets;
+  constexpr double mean_share = 2.0 / 3.0; // mean deviation of a chord over its maximum
+  return radius + mean_share * kCurveTolerance;
 }
 
-std::vector<PlanDetail>
-facetsOf(const Dome& dome)
+Loop
+rimOf(const SlabCurve& ellipsoid, double share)
 {
-  const FacetSteps steps = facetStepsOf(dome.radius);
-  const double out = std::asin(std::min(1.0, dome.rim / steps.radius));
-  const auto rings = static_cast<int>(std::ceil(out / steps.angle));
-  const auto rays = static_cast<int>(
-      std::ceil(2.0 * pi * std::sqrt(dome.rim / dome.radius) / steps.angle));
-  const auto placeAt = [&](int ring, int ray) {
-    const double radius = steps.radius * std::sin(out * ring / rings);
-    const double angle = 2.0 * pi * (ray % rays) / rays;
-    const Vec2 place{dome.along * std::cos(angle), dome.across * std::sin(angle)};
-    return Vec2(dome.at + radius * rotated(place, dome.direction));
+  const double step = facetAngle(largestRadius(ellipsoid));
+  const double rays = std::ceil(2.0 * pi * std::sqrt(share) / step);
+  std::vector<Vec2> rim;
+  for (double ray = 0; ray < rays; ++ray) {
+    const double angle = 2.0 * pi * ray / rays;
+    rim.push_back(ellipsoid.centre +
+                  share *
+                      (ellipsoid.along * std::cos(angle) * ellipsoid.axis +
+                       ellipsoid.across * std::sin(angle) * leftOf(ellipsoid.axis)));
+  }
+  return loopOf(rim);
+}
+
+namespace {
+
+/** @brief Returns the creases of a vault: parallel to its axis. */
+std::vector<Element>
+creasesOfVault(const Loop& loop, const SlabCurve& curve)
+{
+  const Vec2 across = leftOf(curve.axis);
+  Box2 bounds; // along and across the axis
+  for (const Vec2& place : samplesAlong(loop)) {
+    const Vec2 off = place - curve.centre;
+    bounds.extend(Vec2(curve.axis.dot(off), across.dot(off)));
+  }
+  const double first = std::asin(std::max(-1.0, bounds.min().y() / curve.across));
+  const double last = std::asin(std::min(1.0, bounds.max().y() / curve.across));
+  const double count = std::ceil((last - first) / facetAngle(curve.across));
+  std::vector<Element> creases;
+  for (double k = 1; k < count; ++k) {
+    const double out = curve.across * std::sin(first + (last - first) * k / count);
+    const Vec2 middle = curve.centre + out * across;
+    creases.push_back(segment(middle + bounds.min().x() * curve.axis,
+                              middle + bounds.max().x() * curve.axis));
+  }
+  return creases;
+}
+
+/** @brief Returns the creases of a dome: rings, and rays to the corners of its rim. */
+std::vector<Element>
+creasesOfDome(const Loop& loop, const SlabCurve& curve)
+{
+  const auto angleOf = [&](const Vec2& off) { // from the top
+    const Vec2 scaled(curve.axis.dot(off) / curve.along,
+                      leftOf(curve.axis).dot(off) / curve.across);
+    return std::asin(std::min(1.0, scaled.norm()));
   };
-  const auto heightAt = [&](int ring) {
-    return dome.height + dome.up * steps.radius * std::cos(out * ring / rings);
+  double out = 0.0;
+  for (const Element& side : loop.elements)
+    out = std::max(out, angleOf(side.start - curve.centre));
+  const double rings = std::ceil(out / facetAngle(largestRadius(curve)));
+  const auto placeAt = [&](const Vec2& corner, double ring) {
+    const Vec2 off = corner - curve.centre;
+    const double angle = angleOf(off);
+    return Vec2(curve.centre + std::sin(angle * ring / rings) / std::sin(angle) * off);
   };
-  std::vector<PlanDetail> facets;
-  std::vector<Vec2> top;
-  for (int ray = 0; ray < rays; ++ray)
-    top.push_back(placeAt(1, ray));
-  facets.push_back(facetOver(top, horizontalSlab(heightAt(1))));
-  for (int ring = 1; ring < rings; ++ring)
-    for (int ray = 0; ray < rays; ++ray) {
-      const std::vector<Vec2> corners{placeAt(ring + 1, ray),
-                                      placeAt(ring + 1, ray + 1),
-                                      placeAt(ring, ray + 1), placeAt(ring, ray)};
-      // The two level edges are parallel.
-      const Vec2 outer = 0.5 * (corners[0] + corners[1]);
-      const Vec2 inner = 0.5 * (corners[2] + corners[3]);
-      const Vec2 uphill = leftOf((corners[1] - corners[0]).normalized());
-      const double rise = heightAt(ring + 1) - heightAt(ring);
-      const double slope = rise / (outer - inner).dot(uphill);
-      facets.push_back(facetOver(
-          corners, planeThrough(lifted(inner, heightAt(ring)), slope * uphill)));
+  std::vector<Element> creases;
+  for (const Element& side : loop.elements)
+    for (double ring = 1; ring < rings; ++ring) {
+      const Vec2 place = placeAt(side.start, ring);
+      creases.push_back(segment(place, placeAt(side.end, ring)));
+      creases.push_back(segment(place, placeAt(side.start, ring + 1)));
     }
-  return facets;
+  return creases;
+}
+
+} // namespace
+
+std::vector<Element>
+creasesOf(const PlanDetail& part)
+{
+  if (!part.slab.curve)
+    return {};
+  return part.slab.curve->kind == CurveKind::Cylinder
+             ? creasesOfVault(part.boundary, *part.slab.curve)
+             : creasesOfDome(part.boundary, *part.slab.curve);
 }
 
 std::vector<PlanDetail>
@@ -214,13 +192,13 @@ private:
       Face face{element, wall, std::tan(element.tilt)};
       std::vector<Vec2> corners{element.start};
       if (element.tilt != 0.0 && element.isArc()) {
-        const FacetSteps steps = facetStepsOf(element.radius);
         const double sweep = element.sweep();
-        const auto count = static_cast<int>(std::ceil(std::abs(sweep) / steps.angle));
+        const auto count =
+            static_cast<int>(std::ceil(std::abs(sweep) / facetAngle(element.radius)));
         const Vec2 first = (element.start - element.centre).normalized();
         for (int k = 1; k < count; ++k)
-          corners.push_back(element.centre +
-                            steps.radius * rotated(first, sweep * k / count));
+          corners.push_back(element.centre + edgeRadius(element.radius) *
+                                                 rotated(first, sweep * k / count));
       }
       corners.push_back(element.end);
       for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
@@ -268,7 +246,11 @@ private:
   {
     const double s =
         (end - face.foot.start).norm() < kNear ? kNear : face.foot.length() - kNear;
-    return room_.ceilingSlab(room_.detailAt(pointBeside(face.foot, s, -kNear)));
+    const Slab& top =
+        room_.ceilingSlab(room_.detailAt(pointBeside(face.foot, s, -kNear)));
+    if (top.curve)
+      fail("the ceiling above a tilted wall is curved");
+    return top;
   }
 
   /** @brief Makes the outline that of the whole area in plan; what lies between foot

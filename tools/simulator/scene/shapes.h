@@ -6,41 +6,23 @@
 #include <optional>
 #include <vector>
 
-/** @file Ceilings and walls that are more than a plane. Curved ceilings are flat
- * facets, so narrow that they deviate from the curve by kCurveTolerance at most, and on
- * average not at all. In plan, a wall tilted into the room is a steep part of the
- * ceiling, and a wall tilted outwards one of the floor. */
+/** @file Ceilings and walls that are more than a plane. In plan, a wall tilted into the
+ * room is a steep part of the ceiling, and a wall tilted outwards one of the floor. */
 
 namespace pcl::sedr::sim {
 
-/** @brief A cylinder with a level axis: a barrel vault or a segment of one. */
-struct Vault {
-  Vec2 at;                ///< on the axis, in plan
-  double direction = 0.0; ///< radians, of the axis
-  double height = 0.0;    ///< z of the axis
-  double radius = 0.0;
-};
+/** @brief Returns the radius of the edges of flat facets that deviate from a circle by
+ * kCurveTolerance at most, and on average not at all. */
+double edgeRadius(double radius);
 
-/** @brief A cap of a sphere, or of an ellipsoid with a vertical axis. */
-struct Dome {
-  Vec2 at;             ///< centre in plan
-  double height = 0.0; ///< z of the sphere's centre
-  double radius = 0.0;
-  double rim = 0.0; ///< radius in plan, at most that of the sphere
-  /// What the sphere is scaled by about its centre, at most 1: in plan along
-  /// and across a direction, and upwards.
-  double along = 1.0;
-  double across = 1.0;
-  double up = 1.0;
-  double direction = 0.0; ///< radians
-};
+/** @brief Returns the outline of a part of an ellipsoid up to a circle of its sphere:
+ * straight sides, as its facets have.
+ * @param share of the radius of that circle in the sphere's */
+Loop rimOf(const SlabCurve& ellipsoid, double share);
 
-/** @brief Returns the facets of a vault over a convex loop with straight sides.
- * @throw std::invalid_argument if the loop extends beyond the cylinder or has arcs */
-std::vector<PlanDetail> facetsOf(const Vault& vault, const Loop& loop);
-
-/** @brief Returns the facets of a dome. */
-std::vector<PlanDetail> facetsOf(const Dome& dome);
+/** @brief Returns the edges of the flat facets that stand for a curved part of a
+ * ceiling in the mesh, in plan; none for other parts. */
+std::vector<Element> creasesOf(const PlanDetail& part);
 
 /** @brief Parallel ribs or beams below a ceiling, from wall to wall. */
 struct RibFamily {

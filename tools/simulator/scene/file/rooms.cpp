@@ -152,45 +152,64 @@ readRibs(const JsonView& view, Room& room)
   std::move(ribs.begin(), ribs.end(), std::back_inserter(room.details));
 }
 
-Dome
+/** @brief Reads a cap of a sphere, or of an ellipsoid with a vertical axis. */
+PlanDetail
 readDome(const JsonView& view)
 {
-  Dome dome{view.at("at").point2(), view.at("height").number(),
-            view.at("radius").size(), view.at("rim").size()};
-  if (dome.rim > dome.radius)
+  const double radius = view.at("radius").size();
+  const double rim = view.at("rim").size();
+  if (rim > radius)
     view.at("rim").fail("is more than the radius of the dome");
-  dome.direction = view.numberOr("direction", 0.0) * pi / 180.0;
-  if (const auto scale = view.find("scale")) { // makes an ellipsoid of the sphere
-    const Vec3 factors = scale->size3();
+  Vec3 factors = Vec3::Ones(); // along, across, up
+  if (const auto scale = view.find("scale")) {
+    factors = scale->size3();
     if (factors.maxCoeff() > 1.0)
       scale->fail("must not be more than 1");
-    dome.along = factors.x();
-    dome.across = factors.y();
-    dome.up = factors.z();
   }
-  return dome;
+  SlabCurve curve;
+  curve.kind = CurveKind::Ellipsoid;
+  curve.centre = view.at("at").point2();
+  curve.base = view.at("height").number();
+  curve.setDirection(view.numberOr("direction", 0.0) * pi / 180.0);
+  curve.along = factors.x() * edgeRadius(radius);
+  curve.across = factors.y() * edgeRadius(radius);
+  curve.up = factors.z() * edgeRadius(radius);
+  PlanDetail part;
+  part.boundary = rimOf(curve, rim / edgeRadius(radius));
+  part.slab.curve = std::make_shared<const SlabCurve>(curve);
+  return part;
+}
+
+/** @brief Reads a barrel vault, or a segment of one. */
+PlanDetail
+readVault(const JsonView& view, const Loop& loop)
+{
+  const double radius = view.at("radius").size();
+  SlabCurve curve;
+  curve.centre = view.at("at").point2();
+  curve.base = view.at("height").number();
+  curve.setDirection(view.at("direction").angle());
+  curve.across = curve.up = edgeRadius(radius);
+  for (const Vec2& place : samplesAlong(loop))
+    if (std::abs(leftOf(curve.axis).dot(place - curve.centre)) > radius + kSamePoint)
+      view.fail("does not reach the sides of its loop");
+  PlanDetail part;
+  part.boundary = loop;
+  part.slab.curve = std::make_shared<const SlabCurve>(curve);
+  return part;
 }
 
 /** @brief Reads a part of a ceiling that is not level: a slope, a vault or a dome. */
-std::vector<PlanDetail>
-readFacets(const JsonView& view, const GivenSlab& ceiling)
+PlanDetail
+readFacet(const JsonView& view, const GivenSlab& ceiling)
 {
-  if (const auto dome = view.find("dome"))
-    return facetsOf(readDome(*dome));
+  const auto dome = view.find("dome");
   const auto vault = view.find("vault");
-  if (!vault) {
-    PlanDetail slope = readDetail(view, ceiling, "drop", -1);
-    slope.is_facet = true;
-    return {slope};
-  }
-  const Vault barrel{vault->at("at").point2(), vault->at("direction").angle(),
-                     vault->at("height").number(), vault->at("radius").size()};
-  try {
-    return facetsOf(barrel, readLoop(view.at("loop")));
-  }
-  catch (const std::invalid_argument& error) {
-    view.fail(std::string("cannot be built: ") + error.what());
-  }
+  PlanDetail part = dome    ? readDome(*dome)
+                    : vault ? readVault(*vault, readLoop(view.at("loop")))
+                            : readDetail(view, ceiling, "drop", -1);
+  part.is_facet = true;
+  return part;
 }
 
 /** @brief Reads a hole in a ceiling; the names of all rooms must be known. */
@@ -221,8 +240,7 @@ readShell(const JsonView& view)
     room.storey = storey->count(1, kMostStoreys);
   room.plenum = view.numberOr("plenum", 0.0, JsonView::kSmallest);
   for (const JsonView& facet : view.itemsOf("facets"))
-    for (PlanDetail& part : readFacets(facet, ceiling))
-      room.details.push_back(std::move(part));
+    room.details.push_back(readFacet(facet, ceiling));
   for (const JsonView& ribs : view.itemsOf("ribs"))
     readRibs(ribs, room);
   for (const JsonView& detail : view.itemsOf("floor_details"))
