@@ -105,8 +105,12 @@ private:
     for (const Layer layer : {Layer::Ceiling, Layer::Floor})
       for (const PlanDetail& detail : detailsOf(room_, layer))
         loops.push_back(&detail.boundary);
-    for (const CeilingVoid& hole : room_.voids)
+    for (const CeilingVoid& hole : room_.voids) {
       loops.push_back(&hole.loop);
+      if (hole.leads_to) // whose steps end its shaft
+        for (const PlanDetail& step : scene_.rooms[*hole.leads_to].floor_details)
+          loops.push_back(&step.boundary);
+    }
     for (const Loop& hole : floor_voids_)
       loops.push_back(&hole);
     for (const Recess& recess : recesses_)
@@ -224,6 +228,8 @@ private:
     Spaces spaces;
     if (lookup_.contains(middle))
       addInside(middle, spaces);
+    else if (isInVoid(middle))
+      fail("a void reaches out of the room", placeText(middle));
     for (const Recess& recess : recesses_)
       if (recess.outline.contains(middle))
         spaces.push_back(recess.space);
@@ -233,28 +239,44 @@ private:
     return spaces;
   }
 
+  bool isInVoid(const Vec2& place) const
+  {
+    return floorIsOpen(place) || std::any_of(room_.voids.begin(), room_.voids.end(),
+                                             [&](const CeilingVoid& hole) {
+                                               return hole.loop.contains(place);
+                                             });
+  }
+
+  bool floorIsOpen(const Vec2& place) const
+  {
+    return std::any_of(floor_voids_.begin(), floor_voids_.end(),
+                       [&](const Loop& hole) { return hole.contains(place); });
+  }
+
   /** @brief Adds the room at a place, and the shaft or plenum above it. */
   void addInside(const Vec2& place, Spaces& spaces) const
   {
     const int floor = lookup_.floorDetailAt(place);
     const int ceiling = lookup_.detailAt(place);
-    Space inside{Space::Inside, room_.floorSlab(floor), room_.ceilingSlab(ceiling),
+    Space inside{Space::Inside,
+                 room_.floorSlab(floor),
+                 room_.ceilingSlab(ceiling),
                  labelOf(room_, floor, Layer::Floor),
-                 labelOf(room_, ceiling, Layer::Ceiling)};
-    inside.floor_is_open =
-        std::any_of(floor_voids_.begin(), floor_voids_.end(),
-                    [&](const Loop& hole) { return hole.contains(place); });
+                 labelOf(room_, ceiling, Layer::Ceiling),
+                 floorIsOpen(place)};
     std::optional<Space> above;
     if (room_.plenum > 0.0)
       above = Space{Space::Plenum, inside.high, raised(room_.ceiling, room_.plenum)};
     for (const CeilingVoid& hole : room_.voids)
       if (hole.loop.contains(place)) {
         inside.ceiling_is_open = true;
+        if (!hole.leads_to && !above)
+          fail("a void leads to no room, and there is no plenum", placeText(place));
         if (!hole.leads_to)
           continue;
         const Room& next = scene_.rooms[*hole.leads_to];
-        above = Space{Space::Shaft, inside.high,
-                      next.floorSlab(next.floorDetailAt(pointInside(hole.loop)))};
+        above =
+            Space{Space::Shaft, inside.high, next.floorSlab(next.floorDetailAt(place))};
       }
     spaces.push_back(inside);
     if (above)

@@ -94,7 +94,10 @@ private:
           const double high = space.high.heightAt(point);
           // At the edge of a tilted wall floor and ceiling may meet.
           if (high - low < (room_.foot.elements.empty() ? kSameHeight : -kSameHeight))
-            fail("the ceiling is not above the floor", placeText(point));
+            fail(space.kind == Space::Inside
+                     ? "the ceiling is not above the floor"
+                     : "an opening, niche, void or plenum has no height",
+                 placeText(point));
           if (below && (below->isRoom() || space.isRoom()) &&
               low < below->high.heightAt(point) - kSameHeight)
             fail("an opening or niche reaches over another", placeText(point));

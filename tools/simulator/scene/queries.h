@@ -17,20 +17,6 @@ detailsOf(const Room& room, Layer layer)
   return layer == Layer::Floor ? room.floor_details : room.details;
 }
 
-/** @brief Returns the detail at a place, -1: none. */
-inline int
-detailAt(const Room& room, const Vec2& point, Layer layer)
-{
-  return layer == Layer::Floor ? room.floorDetailAt(point) : room.detailAt(point);
-}
-
-/** @brief Returns the plane of a detail, for -1 that of the floor or ceiling. */
-inline const Slab&
-slabOf(const Room& room, int detail, Layer layer)
-{
-  return layer == Layer::Floor ? room.floorSlab(detail) : room.ceilingSlab(detail);
-}
-
 /** @brief Returns the label of a detail, for -1 that of the floor or ceiling. */
 Label labelOf(const Room& room, int detail, Layer layer);
 

@@ -81,45 +81,6 @@ checkGap(const Scene& scene,
   }
 }
 
-/** @brief Checks that a void is within one part of a room's floor or ceiling. */
-void
-checkHole(const std::string& place, const Loop& loop, const Room& room, Layer layer)
-{
-  const int first = detailAt(room, pointInside(loop), layer);
-  for (const Vec2& sample : samplesAlong(loop, loop.area() > 0.0 ? kInside : -kInside))
-    if (!room.contains(sample) || detailAt(room, sample, layer) != first)
-      fail(place, " reaches out of room '", room.name, "' or over the edge of a detail",
-           placeText(sample));
-}
-
-void
-checkVoid(const Scene& scene,
-          const Room& room,
-          const CeilingVoid& hole,
-          const std::string& place)
-{
-  checkHole(place, hole.loop, room, Layer::Ceiling);
-  if (!hole.leads_to && !(room.plenum > 0.0))
-    fail(place, " leads to no room, and its room has no plenum");
-  if (!hole.leads_to)
-    return;
-  const Room& above = scene.rooms[*hole.leads_to];
-  checkHole(place, hole.loop, above, Layer::Floor);
-  const Vec2 inside = pointInside(hole.loop);
-  if (above.floorAt(inside) < room.ceilingAt(inside) + room.plenum)
-    fail(place, " leads to room '", above.name, "', which is not above it",
-         placeText(inside));
-}
-
-void
-checkVoids(const Scene& scene)
-{
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
-    for (std::size_t k = 0; k < scene.rooms[i].voids.size(); ++k)
-      checkVoid(scene, scene.rooms[i], scene.rooms[i].voids[k],
-                placeOf(placeOf("rooms", i) + ".voids", k));
-}
-
 void
 checkGaps(const Scene& scene)
 {
@@ -156,7 +117,6 @@ void
 checkScene(const Scene& scene)
 {
   checkOverlaps(scene.rooms);
-  checkVoids(scene);
   meshOf(scene);
   checkGaps(scene);
   for (std::size_t i = 0; i < scene.scanners.size(); ++i)
