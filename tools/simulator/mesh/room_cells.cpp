@@ -34,6 +34,27 @@ struct Recess {
   Space space;
 };
 
+/** @brief Returns a box around a room. */
+Eigen::AlignedBox3d
+boxAround(const Room& room)
+{
+  const Box2 plan = boundsOf(room.boundary);
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](const Slab& slab, double above) {
+    for (int k = 0; k < 4; ++k) {
+      const Vec2 corner = plan.corner(static_cast<Box2::CornerType>(k));
+      const double z = slab.curve ? slab.curve->highest() : slab.heightAt(corner);
+      box.extend(lifted(corner, z + above));
+    }
+  };
+  extend(room.floor, 0.0);
+  extend(room.ceiling, room.plenum);
+  for (const Layer layer : {Layer::Floor, Layer::Ceiling})
+    for (const PlanDetail& detail : detailsOf(room, layer))
+      extend(detail.slab, 0.0);
+  return box;
+}
+
 using Ends = std::pair<std::uint32_t, std::uint32_t>; ///< lower point first
 
 /** @brief Builds the cells of one room. */
@@ -49,25 +70,18 @@ public:
       , floor_voids_(floor_voids)
   {
     for (const WallGap& niche : room_.wall_niches)
-      addRecess(niche, {Space::Niche, {}, {}, Label::Detail, Label::Detail});
-    for (const Opening& opening : openings[index]) {
-      const bool is_given =
-          recesses_.size() < room_.wall_niches.size() + room_.openings.size();
-      addRecess(opening, {Space::Reveal,
-                          {},
-                          {},
-                          Label::Other,
-                          Label::Other,
-                          false,
-                          false,
-                          opening.number,
-                          is_given});
+      addRecess(niche, Space::Niche, Label::Detail);
+    for (std::size_t k = 0; k < openings[index].size(); ++k) {
+      const Opening& opening = openings[index][k];
+      Recess& reveal = addRecess(opening, Space::Reveal, Label::Other);
+      reveal.space.opening = opening.number;
+      reveal.space.is_given = k < room_.openings.size();
       if (opening.leads_to) // exactly to the face of the wall there
         for (const Opening& other : openings[*opening.leads_to])
           if (other.number == opening.number)
-            setBack(faceOf(scene.rooms[*opening.leads_to], other),
-                    recesses_.back().outline);
+            setBack(faceOf(scene.rooms[*opening.leads_to], other), reveal.outline);
     }
+    findNeighbours();
   }
 
   RoomCells run()
@@ -80,14 +94,15 @@ public:
   }
 
 private:
-  void addRecess(const WallGap& gap, Space space)
+  Recess& addRecess(const WallGap& gap, Space::Kind kind, Label label)
   {
     const Element face = faceOf(room_, gap);
-    Loop outline{{face, {}, {}, {}}};
-    setBack(reversed(Loop{{offsetRight(face, gap.depth)}}).elements[0], outline);
-    space.low = horizontalSlab(gap.sill);
-    space.high = horizontalSlab(gap.head);
-    recesses_.push_back({outline, space});
+    Recess recess{
+        {{face, {}, {}, {}}},
+        {kind, horizontalSlab(gap.sill), horizontalSlab(gap.head), label, label}};
+    setBack(reversed(Loop{{offsetRight(face, gap.depth)}}).elements[0], recess.outline);
+    recesses_.push_back(std::move(recess));
+    return recesses_.back();
   }
 
   static void setBack(const Element& back, Loop& outline)
@@ -95,6 +110,18 @@ private:
     const Element face = outline.elements[0];
     outline.elements = {face, segment(face.end, back.start), back,
                         segment(back.end, face.start)};
+  }
+
+  /** @brief Finds the rooms that the room or its recesses might reach into. */
+  void findNeighbours()
+  {
+    Eigen::AlignedBox3d box = boxAround(room_);
+    for (const Recess& recess : recesses_)
+      for (const Element& side : recess.outline.elements)
+        box.extend(lifted(side.start, box.center().z()));
+    for (const Room& other : scene_.rooms)
+      if (&other != &room_ && boxAround(other).intersects(box))
+        neighbours_.push_back(&other);
   }
 
   void collectChords()
@@ -115,6 +142,8 @@ private:
       loops.push_back(&hole);
     for (const Recess& recess : recesses_)
       loops.push_back(&recess.outline);
+    for (const Room* other : neighbours_)
+      loops.push_back(&other->boundary);
     for (const Loop* loop : loops)
       for (const Element& element : loop->elements)
         corners_.push_back(element.start);
@@ -233,10 +262,27 @@ private:
     for (const Recess& recess : recesses_)
       if (recess.outline.contains(middle))
         spaces.push_back(recess.space);
+    for (const Space& space : spaces)
+      expectClear(space, middle);
     std::stable_sort(spaces.begin(), spaces.end(), [&](const Space& a, const Space& b) {
       return a.low.heightAt(middle) < b.low.heightAt(middle);
     });
     return spaces;
+  }
+
+  /** @brief Checks that a space is in no other room. */
+  void expectClear(const Space& space, const Vec2& place) const
+  {
+    constexpr double contact = 1e-6; // metres
+    for (const Room* other : neighbours_)
+      if (other->boundary.contains(place) &&
+          std::max(space.low.heightAt(place), other->floorAt(place)) + contact <
+              std::min(space.high.heightAt(place),
+                       other->ceilingAt(place) + other->plenum))
+        fail(space.kind == Space::Inside
+                 ? "it overlaps room '"
+                 : "an opening, niche, void or plenum reaches into room '",
+             other->name, "'", placeText(place));
   }
 
   bool isInVoid(const Vec2& place) const
@@ -314,6 +360,7 @@ private:
   const RoomLookup lookup_;
   const std::vector<Loop>& floor_voids_;
   std::vector<Recess> recesses_;
+  std::vector<const Room*> neighbours_;
   std::vector<Vec2> corners_; ///< of all loops but the outline
   std::vector<Chord> chords_;
   Arrangement arrangement_;

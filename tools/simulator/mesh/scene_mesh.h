@@ -47,8 +47,9 @@ struct SceneMesh {
 
 /** @brief Returns everything in the scene that a ray can hit, and the gaps.
  * @throw std::invalid_argument if the scene cannot be built: openings that lie on no
- * wall, a ceiling below its floor, parts that cross in a line between their edges or
- * touch in a single point */
+ * wall, a ceiling below its floor, rooms that overlap, openings, niches or voids that
+ * reach into other rooms, parts that cross in a line between their edges or touch in a
+ * single point */
 SceneMesh meshOf(const Scene& scene);
 
 /** @brief Returns structure and gaps of a mesh: the truth. */

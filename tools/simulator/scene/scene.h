@@ -275,10 +275,7 @@ std::string readSceneText(const std::filesystem::path& path);
 
 /** @brief Parses a scene and checks that it is physically possible.
  *
- * Every room can be meshed: see meshOf(). Rooms do not overlap, and openings and niches
- * do not reach into other rooms. Voids lie within one part of a ceiling and of the
- * floor above it. Scanners are in a room and in no object. Outlines are sampled every
- * few centimetres.
+ * Every room can be meshed: see meshOf(). Scanners are in a room and in no object.
  * @param source the name of the text in messages
  * @throw std::invalid_argument with a sentence about the first fault, which begins with
  * its place, as in "rooms[2].openings[0]" */
