@@ -67,6 +67,7 @@ public:
       : scene_(scene)
       , room_(scene.rooms[index])
       , lookup_(room_)
+      , tilted_(tiltedPartsOf(room_))
       , floor_voids_(floor_voids)
   {
     for (const WallGap& niche : room_.wall_niches)
@@ -149,6 +150,9 @@ private:
         corners_.push_back(element.start);
     for (const Element& wall : room_.boundary.elements)
       addChords(wall, Part::Wall);
+    for (const TiltedPart& part : tilted_)
+      for (const Element& side : part.outline.elements)
+        addChords(side, Part::Wall);
     for (const Loop* loop : loops)
       for (const Element& element : loop->elements)
         addChords(element, Part::Other);
@@ -255,7 +259,7 @@ private:
     const Vec2 middle =
         (points[corners[0]] + points[corners[1]] + points[corners[2]]) / 3.0;
     Spaces spaces;
-    if (lookup_.contains(middle))
+    if (lookup_.contains(middle) || slantAt(middle, true))
       addInside(middle, spaces);
     else if (isInVoid(middle))
       fail("a void reaches out of the room", placeText(middle));
@@ -293,6 +297,16 @@ private:
                                              });
   }
 
+  /** @brief Returns the wall at a place that is tilted outwards, or inwards; null if
+   * there is none. */
+  const TiltedPart* slantAt(const Vec2& place, bool outwards) const
+  {
+    for (const TiltedPart& part : tilted_)
+      if (part.is_outwards == outwards && part.outline.contains(place))
+        return &part;
+    return nullptr;
+  }
+
   bool floorIsOpen(const Vec2& place) const
   {
     return std::any_of(floor_voids_.begin(), floor_voids_.end(),
@@ -310,6 +324,14 @@ private:
                  labelOf(room_, floor, Layer::Floor),
                  labelOf(room_, ceiling, Layer::Ceiling),
                  floorIsOpen(place)};
+    if (const TiltedPart* part = slantAt(place, true)) {
+      inside.low = part->wall;
+      inside.floor = Label::Wall;
+    }
+    if (const TiltedPart* part = slantAt(place, false)) {
+      inside.high = part->wall;
+      inside.ceiling = Label::Wall;
+    }
     std::optional<Space> above;
     if (room_.plenum > 0.0)
       above = Space{Space::Plenum, inside.high, raised(room_.ceiling, room_.plenum)};
@@ -358,6 +380,7 @@ private:
   const Scene& scene_;
   const Room& room_;
   const RoomLookup lookup_;
+  const std::vector<TiltedPart> tilted_;
   const std::vector<Loop>& floor_voids_;
   std::vector<Recess> recesses_;
   std::vector<const Room*> neighbours_;

@@ -2,6 +2,8 @@
 #include "room_cells.h"
 #include "scene_mesh.h"
 
+#include "sedr_filters/src/walls/plan_walls.h"
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -93,7 +95,7 @@ private:
           const double low = space.low.heightAt(point);
           const double high = space.high.heightAt(point);
           // At the edge of a tilted wall floor and ceiling may meet.
-          if (high - low < (room_.foot.elements.empty() ? kSameHeight : -kSameHeight))
+          if (high - low < (isTilted(room_) ? -kSameHeight : kSameHeight))
             fail(space.kind == Space::Inside
                      ? "the ceiling is not above the floor"
                      : "an opening, niche, void or plenum has no height",

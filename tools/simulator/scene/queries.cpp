@@ -36,16 +36,11 @@ floorOf(const Room& room)
 Label
 labelOf(const Room& room, int detail, Layer layer)
 {
-  const bool is_floor = layer == Layer::Floor;
-  const Label whole = is_floor ? Label::Floor : Label::Ceiling;
-  if (detail < 0)
-    return whole;
-  const auto& details = detailsOf(room, layer);
-  const auto index = static_cast<std::size_t>(detail);
-  const std::size_t walls = is_floor ? room.floor_walls : room.ceiling_walls;
-  return index + walls >= details.size() ? Label::Wall
-         : details[index].is_facet       ? whole
-                                         : Label::Detail;
+  const bool is_part =
+      detail >= 0 && !detailsOf(room, layer)[static_cast<std::size_t>(detail)].is_facet;
+  return is_part                 ? Label::Detail
+         : layer == Layer::Floor ? Label::Floor
+                                 : Label::Ceiling;
 }
 
 std::uint32_t

@@ -187,9 +187,6 @@ struct CeilingVoid {
  * Parts of ceiling and floor are independent of each other. What reaches out of the
  * room is cut off. */
 struct Room : PlanRoom {
-  Loop foot; ///< boundary at the floor, with its tilts; empty without: see tiltWalls()
-  std::size_t ceiling_walls = 0; ///< the last details that are tilted walls, from above
-  std::size_t floor_walls = 0;   ///< likewise, from below
   std::vector<Opening> openings;
   std::vector<WallGap> wall_niches; ///< with back, sides, bottom and lid
   std::vector<CeilingVoid> voids;

@@ -2,6 +2,8 @@
 #include "shapes.h"
 #include "queries.h"
 
+#include "sedr_filters/src/walls/plan_walls.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -145,181 +147,96 @@ namespace {
 constexpr double kNear = 1e-3; ///< metres inside the room
 constexpr double kParallel = 1e-6;
 
-/** @brief A wall as a plane: inwards.dot(p) - run z = offset. */
+/** @brief A wall, or a facet of a tilted arc, as a plane above its foot. */
 struct Face {
   Element foot;         ///< at the floor
   std::size_t wall = 0; ///< of the room's outline
   double run = 0.0;     ///< tangent of the tilt
   Vec2 inwards = Vec2::Zero();
-  double offset = 0.0;
-  Vec2 head = Vec2::Zero(); ///< start of its upper edge, at the ceiling
 };
 
-/** @brief Tilts the walls of one room. */
-class WallTilter {
-public:
-  explicit WallTilter(Room& room)
-      : room_(room)
-      , floor_(room.floor.heightAt(Vec2::Zero()))
-  {}
-
-  void run()
-  {
-    checkRoom();
-    collectFaces();
-    findHeads();
-    replaceOutline();
-  }
-
-private:
-  void checkRoom() const
-  {
-    const auto is_tilted = [this](const WallGap& gap) {
-      return room_.boundary.elements[gap.wall].tilt != 0.0;
-    };
-    if (std::any_of(room_.openings.begin(), room_.openings.end(), is_tilted) ||
-        std::any_of(room_.wall_niches.begin(), room_.wall_niches.end(), is_tilted))
-      fail("a tilted wall has an opening or a niche");
-    if (gradientOf(room_.floor).squaredNorm() > 0.0)
-      fail("the floor is not level");
-  }
-
-  /** @brief Makes a face of every wall, and several of every tilted arc. */
-  void collectFaces()
-  {
-    for (std::size_t wall = 0; wall < room_.boundary.elements.size(); ++wall) {
-      const Element& element = room_.boundary.elements[wall];
-      Face face{element, wall, std::tan(element.tilt)};
-      std::vector<Vec2> corners{element.start};
-      if (element.tilt != 0.0 && element.isArc()) {
-        const double sweep = element.sweep();
-        const auto count =
-            static_cast<int>(std::ceil(std::abs(sweep) / facetAngle(element.radius)));
-        const Vec2 first = (element.start - element.centre).normalized();
-        for (int k = 1; k < count; ++k)
-          corners.push_back(element.centre + edgeRadius(element.radius) *
-                                                 rotated(first, sweep * k / count));
-      }
-      corners.push_back(element.end);
-      for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        if (element.tilt != 0.0)
-          face.foot = elementBetween(corners[i], corners[i + 1]);
-        face.inwards = leftOf((corners[i + 1] - corners[i]).normalized());
-        face.offset = face.inwards.dot(corners[i]) - face.run * floor_;
-        faces_.push_back(face);
-      }
+std::vector<Face>
+facesOf(const Loop& outline)
+{
+  std::vector<Face> faces;
+  for (std::size_t wall = 0; wall < outline.elements.size(); ++wall) {
+    const Element& element = outline.elements[wall];
+    const bool is_cone = element.tilt != 0.0 && element.isArc();
+    const std::vector<double> ends =
+        is_cone ? chordEnds(element) : std::vector<double>{0.0, element.length()};
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const Element foot =
+          segment(i == 0 ? element.start : element.pointAt(ends[i]),
+                  i + 2 == ends.size() ? element.end : element.pointAt(ends[i + 1]));
+      faces.push_back({foot, wall, std::tan(element.tilt), foot.normalAt(0.0)});
     }
   }
+  return faces;
+}
 
-  void findHeads()
-  {
-    const std::size_t n = faces_.size();
-    for (std::size_t i = 0; i < n; ++i)
-      faces_[i].head = headBetween(faces_[(i + n - 1) % n], faces_[i]);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec2 head = faces_[(i + 1) % n].head - faces_[i].head;
-      const Vec2 foot = faces_[i].foot.end - faces_[i].foot.start;
-      if (faces_[i].run != 0.0 && head.dot(foot) <= 0.0)
-        fail("the head of wall ", faces_[i].wall, " has no length");
-    }
-  }
+/** @brief Returns the ceiling inside of a tilted wall, near one end of its foot. */
+const Slab&
+ceilingBeside(const Room& room, const Face& face, const Vec2& end)
+{
+  const double s =
+      (end - face.foot.start).norm() < kNear ? kNear : face.foot.length() - kNear;
+  const Slab& top = room.ceilingSlab(room.detailAt(pointBeside(face.foot, s, -kNear)));
+  if (top.curve)
+    fail("the ceiling above a tilted wall is curved");
+  return top;
+}
 
-  /** @brief Returns where the corner between two walls meets the ceiling. */
-  Vec2 headBetween(const Face& before, const Face& after) const
-  {
-    const Vec2& foot = after.foot.start;
-    if (before.run == 0.0 && after.run == 0.0)
-      return foot;
-    // The corner runs along foot + way (z - floor).
-    Vec2 way = before.run * before.inwards;
-    const double turn = cross(before.inwards, after.inwards);
-    if (std::abs(turn) > kParallel)
-      way = (after.run * leftOf(before.inwards) - before.run * leftOf(after.inwards)) /
-            turn;
-    const Slab& top = ceilingBeside(after.run != 0.0 ? after : before, foot);
-    const double climb = 1.0 - gradientOf(top).dot(way);
-    return foot + (top.heightAt(foot) - floor_) / climb * way;
-  }
-
-  /** @brief Returns the ceiling inside of a tilted wall, near one end of its foot. */
-  const Slab& ceilingBeside(const Face& face, const Vec2& end) const
-  {
-    const double s =
-        (end - face.foot.start).norm() < kNear ? kNear : face.foot.length() - kNear;
-    const Slab& top =
-        room_.ceilingSlab(room_.detailAt(pointBeside(face.foot, s, -kNear)));
-    if (top.curve)
-      fail("the ceiling above a tilted wall is curved");
-    return top;
-  }
-
-  /** @brief Makes the outline that of the whole area in plan; what lies between foot
-   * and head of a wall becomes a part of the ceiling or, tilted out, of the floor. */
-  void replaceOutline()
-  {
-    Loop outline;
-    std::vector<std::size_t> moved(
-        room_.boundary.elements.size()); // new number of each wall
-    std::vector<PlanDetail> ceiling_parts;
-    const auto add_corner = [&outline](const Vec2& end, const Element& shape) {
-      const Vec2 start =
-          outline.elements.empty() ? shape.start : outline.elements.back().end;
-      if ((end - start).norm() <= 1e-9)
-        return;
-      outline.elements.push_back(shape);
-      outline.elements.back().start = start;
-      outline.elements.back().end = end;
-    };
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const Face& face = faces_[i];
-      const Face& next = faces_[(i + 1) % faces_.size()];
-      const bool tilts_out = face.run < 0.0;
-      if (i == 0 || face.wall != faces_[i - 1].wall)
-        moved[face.wall] = outline.elements.size();
-      Element edge = face.foot;
-      if (tilts_out)
-        edge = elementBetween(face.head, next.head);
-      const Vec2 after = next.run < 0.0 ? next.head : next.foot.start;
-      add_corner(edge.end, edge);
-      add_corner(after, elementBetween(edge.end, after));
-      if (face.run != 0.0)
-        (tilts_out ? room_.floor_details : ceiling_parts).push_back(partOf(face, next));
-      room_.floor_walls += tilts_out ? 1 : 0;
-    }
-    room_.details.insert(room_.details.end(), ceiling_parts.begin(),
-                         ceiling_parts.end());
-    for (Opening& opening : room_.openings)
-      opening.wall = moved[opening.wall];
-    for (WallGap& niche : room_.wall_niches)
-      niche.wall = moved[niche.wall];
-    room_.foot = room_.boundary;
-    room_.ceiling_walls = ceiling_parts.size();
-    room_.boundary = outline;
-  }
-
-  PlanDetail partOf(const Face& face, const Face& next) const
-  {
-    const double slope = 1.0 / face.run;
-    // The plane meets the floor exactly at the foot.
-    return {loopOf({face.foot.start, face.foot.end, next.head, face.head}),
-            {},
-            planeThrough(lifted(face.foot.start, floor_), slope * face.inwards)};
-  }
-
-  Room& room_;
-  const double floor_;
-  std::vector<Face> faces_;
-};
+/** @brief Returns where the corner between two walls meets the ceiling. */
+Vec2
+headBetween(const Room& room, const Face& before, const Face& after)
+{
+  const Vec2& foot = after.foot.start;
+  if (before.run == 0.0 && after.run == 0.0)
+    return foot;
+  // The corner runs along foot + way (z - floor).
+  Vec2 way = before.run * before.inwards;
+  const double turn = cross(before.inwards, after.inwards);
+  if (std::abs(turn) > kParallel)
+    way = (after.run * leftOf(before.inwards) - before.run * leftOf(after.inwards)) /
+          turn;
+  const Slab& top = ceilingBeside(room, after.run != 0.0 ? after : before, foot);
+  const double climb = 1.0 - gradientOf(top).dot(way);
+  return foot + (top.heightAt(foot) - room.floor.heightAt(foot)) / climb * way;
+}
 
 } // namespace
 
-void
-tiltWalls(Room& room)
+std::vector<TiltedPart>
+tiltedPartsOf(const Room& room)
 {
-  const auto& walls = room.boundary.elements;
-  if (std::any_of(walls.begin(), walls.end(),
-                  [](const Element& wall) { return wall.tilt != 0.0; }))
-    WallTilter(room).run();
+  const auto is_tilted = [&](const WallGap& gap) {
+    return room.boundary.elements[gap.wall].tilt != 0.0;
+  };
+  std::vector<TiltedPart> parts;
+  if (!isTilted(room))
+    return parts;
+  if (std::any_of(room.openings.begin(), room.openings.end(), is_tilted) ||
+      std::any_of(room.wall_niches.begin(), room.wall_niches.end(), is_tilted))
+    fail("a tilted wall has an opening or a niche");
+  if (gradientOf(room.floor).squaredNorm() > 0.0)
+    fail("the floor is not level");
+  const std::vector<Face> faces = facesOf(room.boundary);
+  const std::size_t n = faces.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Face& face = faces[i];
+    if (face.run == 0.0)
+      continue;
+    const Vec2 start = headBetween(room, faces[(i + n - 1) % n], face);
+    const Vec2 end = headBetween(room, face, faces[(i + 1) % n]);
+    if ((end - start).dot(face.foot.end - face.foot.start) <= 0.0)
+      fail("the head of wall ", face.wall, " has no length");
+    const double floor = room.floor.heightAt(face.foot.start);
+    parts.push_back(
+        {loopOf({face.foot.start, face.foot.end, end, start}),
+         planeThrough(lifted(face.foot.start, floor), face.inwards / face.run),
+         face.run < 0.0});
+  }
+  return parts;
 }
 
 } // namespace pcl::sedr::sim

@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-/** @file Ceilings and walls that are more than a plane. In plan, a wall tilted into the
- * room is a steep part of the ceiling, and a wall tilted outwards one of the floor. */
+/** @file Ceilings and walls that are more than a plane. */
 
 namespace pcl::sedr::sim {
 
@@ -42,14 +41,17 @@ struct RibFamily {
  * beside it at either end of the room is left out. */
 std::vector<PlanDetail> ribsOf(const Room& room, const RibFamily& family);
 
-/** @brief Builds the walls whose elements are tilted. The boundary becomes that of the
- * whole area in plan, and `foot` the previous one; the walls of openings and niches are
- * renumbered.
- *
- * Arcs become cones, scanned as flat facets within kCurveTolerance.
- * @throw std::invalid_argument if the floor at the wall is not level or the ceiling
- * above it has more than one plane. Likewise if the wall has an opening or a niche, or
- * does not meet the ceiling or a wall beside it */
-void tiltWalls(Room& room);
+/** @brief What of a tilted wall is seen in plan, between its foot at the floor and its
+ * head at the ceiling: flat, as parts of cones are facets. */
+struct TiltedPart {
+  Loop outline;
+  Slab wall;
+  bool is_outwards = false;
+};
+
+/** @brief Returns the tilted walls of a room.
+ * @throw std::invalid_argument if the floor is not level, or a tilted wall is below a
+ * curve, has an opening or a niche, or does not meet the ceiling or a wall beside it */
+std::vector<TiltedPart> tiltedPartsOf(const Room& room);
 
 } // namespace pcl::sedr::sim

@@ -159,8 +159,9 @@ enclosedBy(const TriangleMesh& mesh, const Room& room, std::uint32_t number)
     const double area = 0.5 * mesh.scaledNormal(t).z();
     const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
     sum.volume += area * middle.z();
-    if (area == 0.0 || !room.boundary.contains(plan(middle)))
-      continue;
+    const bool is_detail = mesh.labels[t] == static_cast<std::uint32_t>(Label::Detail);
+    if (area == 0.0 || (is_detail && !room.boundary.contains(plan(middle))))
+      continue; // the last are of niches
     sum.in_plan += area * middle.z();
     if (area > 0.0) {
       sum.area += area;
@@ -184,7 +185,7 @@ roomToJson(const Scene& scene, std::size_t index, const TriangleMesh& truth)
 {
   const Room& room = scene.rooms[index];
   const auto number = static_cast<std::uint32_t>(index + 1);
-  const Loop& outline = room.foot.elements.empty() ? room.boundary : room.foot;
+  const Loop& outline = room.boundary;
   double area = outline.area();
   double column_perimeter = 0.0;
   for (const Loop& column : room.columns) {

@@ -249,25 +249,13 @@ readShell(const JsonView& view)
     room.details.push_back(readDetail(detail, ceiling, "drop", -1));
   for (const JsonView& column : view.itemsOf("columns"))
     room.columns.push_back(readLoop(column));
+  auto& walls = room.boundary.elements;
+  for (const JsonView& tilt : view.itemsOf("tilts"))
+    walls[tilt.at("wall").count(0, walls.size() - 1)].tilt =
+        tilt.at("tilt").angle(-kMostTilt, kMostTilt);
   for (const JsonView& niche : view.itemsOf("niches"))
     room.wall_niches.push_back(readGap(niche, room));
   return room;
-}
-
-/** @brief Tilts walls; the objects at them are placed before. */
-void
-readTilts(const JsonView& view, Room& room)
-{
-  auto& walls = room.boundary.elements;
-  for (const JsonView& item : view.itemsOf("tilts"))
-    walls[item.at("wall").count(0, walls.size() - 1)].tilt =
-        item.at("tilt").angle(-kMostTilt, kMostTilt);
-  try {
-    tiltWalls(room);
-  }
-  catch (const std::invalid_argument& error) {
-    view.at("tilts").fail(std::string("cannot be built: ") + error.what());
-  }
 }
 
 } // namespace
@@ -293,8 +281,6 @@ readRooms(const JsonView& list, Scene& scene)
     for (Object& object : readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]))
       scene.furniture.push_back(std::move(object));
   }
-  for (std::size_t i = 0; i < views.size(); ++i)
-    readTilts(views[i], scene.rooms[i]);
 }
 
 } // namespace pcl::sedr::sim
