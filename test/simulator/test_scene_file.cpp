@@ -195,7 +195,7 @@ TEST(SceneFile, isRefusedWithThePlaceOfItsFault)
       {"/rooms/0/openings/1/sill", "0.1", "rooms[0] cannot be built: an opening"},
       {"/rooms/1/floor", "0.3", "rooms[1] cannot be built: an opening"},
       {"/rooms/0/openings/1/depth", "0.2",
-       "rooms[0].openings[1] leads to room 'right'"},
+       "rooms[0] cannot be built: opening 2 leads to room 'right'"},
       {"/rooms/0/openings/3",
        R"({"wall": 1, "from": 2.5, "to": 3.5, "sill": 1, "head": 2, "depth": 0.3})",
        "rooms[0] cannot be built: an opening, niche, void or plenum reaches into room "

@@ -62,7 +62,6 @@ class CellBuilder {
 public:
   CellBuilder(const Scene& scene,
               std::size_t index,
-              const std::vector<std::vector<Opening>>& openings,
               const std::vector<Loop>& floor_voids)
       : scene_(scene)
       , room_(scene.rooms[index])
@@ -70,18 +69,21 @@ public:
       , tilted_(tiltedPartsOf(room_))
       , floor_voids_(floor_voids)
   {
-    for (const WallGap& niche : room_.wall_niches)
-      addRecess(niche, Space::Niche, Label::Detail);
-    for (std::size_t k = 0; k < openings[index].size(); ++k) {
-      const Opening& opening = openings[index][k];
-      Recess& reveal = addRecess(opening, Space::Reveal, Label::Other);
-      reveal.space.opening = opening.number;
-      reveal.space.is_given = k < room_.openings.size();
-      if (opening.leads_to) // exactly to the face of the wall there
-        for (const Opening& other : openings[*opening.leads_to])
-          if (other.number == opening.number)
-            setBack(faceOf(scene.rooms[*opening.leads_to], other), reveal.outline);
+    for (const WallGap& niche : room_.wall_niches) {
+      const Element back = offsetRight(faceOf(room_, niche), niche.depth);
+      addRecess(faceOf(room_, niche), reversed(Loop{{back}}).elements[0],
+                {Space::Niche, horizontalSlab(niche.sill), horizontalSlab(niche.head),
+                 Label::Detail, Label::Detail});
     }
+    for (const Room& room : scene.rooms)
+      for (const Opening& opening : room.openings)
+        if (&room == &room_ || opening.leads_to == index) {
+          Space reveal{Space::Reveal, horizontalSlab(opening.sill),
+                       horizontalSlab(opening.head)};
+          reveal.opening = opening.number;
+          reveal.is_given = &room == &room_;
+          addRecess(faceOf(room, opening), backOf(scene, room, opening), reveal);
+        }
     findNeighbours();
   }
 
@@ -95,22 +97,11 @@ public:
   }
 
 private:
-  Recess& addRecess(const WallGap& gap, Space::Kind kind, Label label)
+  void addRecess(const Element& face, const Element& back, const Space& space)
   {
-    const Element face = faceOf(room_, gap);
-    Recess recess{
-        {{face, {}, {}, {}}},
-        {kind, horizontalSlab(gap.sill), horizontalSlab(gap.head), label, label}};
-    setBack(reversed(Loop{{offsetRight(face, gap.depth)}}).elements[0], recess.outline);
-    recesses_.push_back(std::move(recess));
-    return recesses_.back();
-  }
-
-  static void setBack(const Element& back, Loop& outline)
-  {
-    const Element face = outline.elements[0];
-    outline.elements = {face, segment(face.end, back.start), back,
-                        segment(back.end, face.start)};
+    recesses_.push_back(
+        {{{face, segment(face.end, back.start), back, segment(back.end, face.start)}},
+         space});
   }
 
   /** @brief Finds the rooms that the room or its recesses might reach into. */
@@ -396,12 +387,9 @@ private:
 } // namespace
 
 RoomCells
-cellsOf(const Scene& scene,
-        std::size_t index,
-        const std::vector<std::vector<Opening>>& openings,
-        const std::vector<Loop>& floor_voids)
+cellsOf(const Scene& scene, std::size_t index, const std::vector<Loop>& floor_voids)
 {
-  return CellBuilder(scene, index, openings, floor_voids).run();
+  return CellBuilder(scene, index, floor_voids).run();
 }
 
 } // namespace pcl::sedr::sim

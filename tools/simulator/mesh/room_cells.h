@@ -64,13 +64,10 @@ struct RoomCells {
 /** @brief Returns the cells of a room, by the exact arrangement and the constrained
  * triangulation of sedr_surface. O(n log n) for n corners.
  * @param index of the room in the scene
- * @param openings of all rooms: see openingsByRoom()
  * @param floor_voids holes in its floor
  * @throw std::invalid_argument if outlines are degenerate */
-RoomCells cellsOf(const Scene& scene,
-                  std::size_t index,
-                  const std::vector<std::vector<Opening>>& openings,
-                  const std::vector<Loop>& floor_voids);
+RoomCells
+cellsOf(const Scene& scene, std::size_t index, const std::vector<Loop>& floor_voids);
 
 /** @brief Adds the closed mesh of a room to that of a scene, and the faces of the other
  * spaces that it gives.

@@ -113,7 +113,6 @@ SceneMesh::addFace(const Triangle& corners,
 SceneMesh
 meshOf(const Scene& scene)
 {
-  const auto openings = openingsByRoom(scene);
   const auto floor_voids = floorVoidsOf(scene);
   SceneMesh result;
   SurroundingsMesher surroundings(scene, result);
@@ -121,13 +120,13 @@ meshOf(const Scene& scene)
     const Room& room = scene.rooms[i];
     try {
       addRoom(room, static_cast<std::uint32_t>(i + 1),
-              cellsOf(scene, i, openings, floor_voids[i]), result);
+              cellsOf(scene, i, floor_voids[i]), result);
     }
     catch (const std::invalid_argument& error) {
       fail(placeOf("rooms", i), " cannot be built: ", error.what());
     }
-    for (std::size_t k = 0; k < room.openings.size(); ++k)
-      surroundings.addPane(room, openings[i][k]);
+    for (const Opening& opening : room.openings)
+      surroundings.addPane(room, opening);
   }
   surroundings.addObjects(scene.furniture);
   surroundings.addObjects(scene.outside);

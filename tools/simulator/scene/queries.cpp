@@ -12,19 +12,6 @@ namespace {
 constexpr double kMatch = 1e-3; ///< metres between matching faces of a partition
 constexpr double kStoreyStep = 1.5;
 
-/** @brief Checks that an opening or niche lies within its wall. */
-void
-checkGap(const Room& room, const WallGap& gap, const std::string& place)
-{
-  const auto& walls = room.boundary.elements;
-  if (gap.wall >= walls.size())
-    fail(place, " lies on no wall");
-  if (!(gap.from >= 0.0 && gap.from < gap.to && gap.to <= walls[gap.wall].length()))
-    fail(place, " does not lie within its wall");
-  if (!(gap.sill < gap.head && gap.depth > 0.0))
-    fail(place, " has no height or depth");
-}
-
 double
 floorOf(const Room& room)
 {
@@ -75,54 +62,22 @@ faceOf(const Room& room, const WallGap& gap)
   return room.boundary.elements[gap.wall].part(gap.from, gap.to);
 }
 
-Opening
-otherSideOf(const Scene& scene, std::size_t room, std::size_t index)
+Element
+backOf(const Scene& scene, const Room& room, const Opening& opening)
 {
-  const Opening& opening = scene.rooms[room].openings[index];
-  const Element far = offsetRight(faceOf(scene.rooms[room], opening), opening.depth);
+  const Element back =
+      reversed(Loop{{offsetRight(faceOf(room, opening), opening.depth)}}).elements[0];
+  if (!opening.leads_to)
+    return back;
   const Room& target = scene.rooms[*opening.leads_to];
-  for (std::size_t i = 0; i < target.boundary.elements.size(); ++i) {
-    const Element& behind = target.boundary.elements[i];
-    const auto from = locate(behind, far.end, kMatch);
-    const auto to = locate(behind, far.start, kMatch);
-    if (!from || !to || !(*from < *to))
-      continue;
-    Opening other = opening;
-    other.wall = i;
-    other.from = *from;
-    other.to = *to;
-    other.leads_to = room;
-    return other;
+  for (const Element& wall : target.boundary.elements) {
+    const auto from = locate(wall, back.start, kMatch);
+    const auto to = locate(wall, back.end, kMatch);
+    if (from && to && *from < *to)
+      return wall.part(*from, *to);
   }
-  fail(placeOf(placeOf("rooms", room) + ".openings", index), " leads to room '",
-       target.name, "', which has no wall there, ", opening.depth,
-       " m behind this one");
-}
-
-std::vector<std::vector<Opening>>
-openingsByRoom(const Scene& scene)
-{
-  std::vector<std::vector<Opening>> openings(scene.rooms.size());
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
-    const Room& room = scene.rooms[i];
-    const std::string place = placeOf("rooms", i);
-    for (std::size_t k = 0; k < room.wall_niches.size(); ++k)
-      checkGap(room, room.wall_niches[k], placeOf(place + ".niches", k));
-    for (std::size_t k = 0; k < room.openings.size(); ++k) {
-      checkGap(room, room.openings[k], placeOf(place + ".openings", k));
-      openings[i].push_back(room.openings[k]);
-      openings[i].back().number = ++number;
-    }
-  }
-  for (std::size_t i = 0; i < scene.rooms.size(); ++i)
-    for (std::size_t k = 0; k < scene.rooms[i].openings.size(); ++k)
-      if (scene.rooms[i].openings[k].leads_to) {
-        Opening other = otherSideOf(scene, i, k);
-        other.number = openings[i][k].number;
-        openings[*scene.rooms[i].openings[k].leads_to].push_back(other);
-      }
-  return openings;
+  fail("opening ", opening.number, " leads to room '", target.name,
+       "', which has no wall there, ", opening.depth, " m behind that of its own");
 }
 
 std::vector<std::vector<Loop>>

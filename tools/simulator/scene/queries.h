@@ -31,18 +31,10 @@ std::string placeOf(const std::string& list, std::size_t index);
 /** @brief Returns the part of a wall's face that a gap cuts. */
 Element faceOf(const Room& room, const WallGap& gap);
 
-/** @brief Returns opening @p index of room @p room as the room it leads to sees it.
- * @throw std::invalid_argument if the other room has no wall there */
-Opening otherSideOf(const Scene& scene, std::size_t room, std::size_t index);
-
-/** @brief Returns the openings in the walls of every room, seen from that room.
- *
- * An opening that leads to another room is listed for both, with the same number; a
- * room's own come first, in order.
- * @throw std::invalid_argument if an opening or niche does not lie within a wall, or an
- * opening leads to a room that has no wall at the other face. The sentence begins with
- * the opening's place, as in "rooms[2].openings[0]" */
-std::vector<std::vector<Opening>> openingsByRoom(const Scene& scene);
+/** @brief Returns the far side of an opening: a part of the wall of the room that it
+ * leads to, which runs as that wall does.
+ * @throw std::invalid_argument if that room has no wall there */
+Element backOf(const Scene& scene, const Room& room, const Opening& opening);
 
 /** @brief Returns the holes in every room's floor: voids that lead to it from below. */
 std::vector<std::vector<Loop>> floorVoidsOf(const Scene& scene);

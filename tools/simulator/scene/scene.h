@@ -168,7 +168,7 @@ struct Opening : WallGap {
   std::optional<Leaf> leaf = std::nullopt;
   double rise = 0.0;  ///< of an arched head, half of an ellipse; 0: flat
   double blind = 0.0; ///< share of its height that a blind covers, from the head down
-  std::uint32_t number = 0; ///< in the scene, from 1: see openingsByRoom()
+  std::uint32_t number = 0; ///< in the scene, from 1
 
   /** @brief Returns true if a leaf shuts it. */
   bool isShut() const { return leaf && leaf->angle == 0.0; }

@@ -24,12 +24,11 @@ constexpr double kDoorWidth = 1.3;        ///< metres, of the widest door
 constexpr double kAjar = 60.0 * pi / 180; ///< widest angle of a door that is ajar
 constexpr double kTallestStep = 0.4;
 
-/** @brief Returns a point in the room in front of the middle of an opening. */
+/** @brief Returns a point in front of the middle of a part of a wall. */
 Vec2
-placeBefore(const Room& room, const Opening& opening)
+placeBefore(const Element& wall)
 {
-  return pointBeside(room.boundary.elements[opening.wall],
-                     0.5 * (opening.from + opening.to), -1e-3);
+  return pointBeside(wall, 0.5 * wall.length(), -1e-3);
 }
 
 Json
@@ -50,15 +49,15 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
 {
   const Room& here = scene.rooms[room];
   const Opening& near = here.openings[index];
-  double floor = here.floorAt(placeBefore(here, near));
-  double ceiling = here.ceilingAt(placeBefore(here, near));
+  const Element face = faceOf(here, near);
+  double floor = here.floorAt(placeBefore(face));
+  double ceiling = here.ceilingAt(placeBefore(face));
   if (near.leads_to) {
     const Room& there = scene.rooms[*near.leads_to];
-    const Vec2 behind = placeBefore(there, otherSideOf(scene, room, index));
+    const Vec2 behind = placeBefore(backOf(scene, here, near));
     floor = std::max(floor, there.floorAt(behind));
     ceiling = std::min(ceiling, there.ceilingAt(behind));
   }
-  const Element face = faceOf(here, near);
   const double width = near.to - near.from;
   const bool is_pane = near.glazing && !near.leaf;
   Json json{{"kind", is_pane || near.sill >= floor + kWindowSill ? "window"

@@ -170,6 +170,11 @@ readGap(const JsonView& view, const Room& room)
   gap.sill = view.numberOr("sill", floorAlong(room, gap));
   gap.head = view.at("head").number();
   gap.depth = view.at("depth").size();
+  if (!(gap.from >= 0.0 && gap.from < gap.to &&
+        gap.to <= room.boundary.elements[gap.wall].length()))
+    view.fail("does not lie within its wall");
+  if (!(gap.sill < gap.head))
+    view.fail("has no height");
   return gap;
 }
 
@@ -178,6 +183,9 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
 {
   Room& room = scene.rooms[room_index];
   Opening opening{readGap(view, room)};
+  for (const Room& other : scene.rooms)
+    opening.number += static_cast<std::uint32_t>(other.openings.size());
+  ++opening.number;
   if (const auto target = view.find("leads_to"))
     opening.leads_to = roomNamed(*target, scene);
   if (const auto glazing = view.find("glazing"))
