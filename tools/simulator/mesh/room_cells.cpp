@@ -60,14 +60,12 @@ using Ends = std::pair<std::uint32_t, std::uint32_t>; ///< lower point first
 /** @brief Builds the cells of one room. */
 class CellBuilder {
 public:
-  CellBuilder(const Scene& scene,
-              std::size_t index,
-              const std::vector<Loop>& floor_voids)
+  CellBuilder(const Scene& scene, std::size_t index)
       : scene_(scene)
       , room_(scene.rooms[index])
       , lookup_(room_)
       , tilted_(tiltedPartsOf(room_))
-      , floor_voids_(floor_voids)
+      , floor_voids_(floorVoidsOf(scene)[index])
   {
     for (const WallGap& niche : room_.wall_niches) {
       const Element back = offsetRight(faceOf(room_, niche), niche.depth);
@@ -372,7 +370,7 @@ private:
   const Room& room_;
   const RoomLookup lookup_;
   const std::vector<TiltedPart> tilted_;
-  const std::vector<Loop>& floor_voids_;
+  const std::vector<Loop> floor_voids_;
   std::vector<Recess> recesses_;
   std::vector<const Room*> neighbours_;
   std::vector<Vec2> corners_; ///< of all loops but the outline
@@ -387,9 +385,9 @@ private:
 } // namespace
 
 RoomCells
-cellsOf(const Scene& scene, std::size_t index, const std::vector<Loop>& floor_voids)
+cellsOf(const Scene& scene, std::size_t index)
 {
-  return CellBuilder(scene, index, floor_voids).run();
+  return CellBuilder(scene, index).run();
 }
 
 } // namespace pcl::sedr::sim

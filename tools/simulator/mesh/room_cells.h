@@ -64,10 +64,8 @@ struct RoomCells {
 /** @brief Returns the cells of a room, by the exact arrangement and the constrained
  * triangulation of sedr_surface. O(n log n) for n corners.
  * @param index of the room in the scene
- * @param floor_voids holes in its floor
  * @throw std::invalid_argument if outlines are degenerate */
-RoomCells
-cellsOf(const Scene& scene, std::size_t index, const std::vector<Loop>& floor_voids);
+RoomCells cellsOf(const Scene& scene, std::size_t index);
 
 /** @brief Adds the closed mesh of a room to that of a scene, and the faces of the other
  * spaces that it gives.
@@ -75,11 +73,8 @@ cellsOf(const Scene& scene, std::size_t index, const std::vector<Loop>& floor_vo
  * Floors and ceilings are the triangles of the plan, lifted to their slabs. Walls,
  * columns, risers, niches and reveals are strips over sides of the plan. A strip has
  * all vertices above its ends, so that faces fit their neighbours.
- * @param number of the room, from 1
+ * @param index of the room in the scene
  * @throw std::invalid_argument with the end of a sentence: see meshOf() */
-void addRoom(const Room& room,
-             std::uint32_t number,
-             const RoomCells& cells,
-             SceneMesh& scene);
+void addRoom(const Scene& scene, std::size_t index, SceneMesh& mesh);
 
 } // namespace pcl::sedr::sim

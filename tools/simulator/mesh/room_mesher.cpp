@@ -49,15 +49,12 @@ private:
 /** @brief Builds the mesh of one room and of the other spaces that it gives. */
 class RoomMesher {
 public:
-  RoomMesher(const Room& room,
-             std::uint32_t number,
-             const RoomCells& plan,
-             SceneMesh& scene)
-      : room_(room)
-      , number_(number)
-      , plan_(plan)
-      , scene_(scene)
-      , levels_(plan.points.size())
+  RoomMesher(const Scene& scene, std::size_t index, SceneMesh& mesh)
+      : room_(scene.rooms[index])
+      , number_(static_cast<std::uint32_t>(index + 1))
+      , plan_(cellsOf(scene, index))
+      , scene_(mesh)
+      , levels_(plan_.points.size())
   {}
 
   void run()
@@ -76,13 +73,6 @@ private:
     std::size_t b = 0;
 
     bool isAtMost(const Border& other) const { return a <= other.a && b <= other.b; }
-  };
-
-  /** @brief What a face is. */
-  struct Look {
-    Surface surface = Surface::Object;
-    Label label = Label::Other;
-    std::uint32_t opening = 0;
   };
 
   void collectLevels()
@@ -142,10 +132,9 @@ private:
                               slab.heightAt(plan_.points[triangle.corners[k]]));
       if (is_floor)
         std::swap(corners[1], corners[2]);
-      addFace(corners, {!space.isRoom() ? Surface::Object
-                        : is_open       ? Surface::Gap
-                                        : Surface::Structure,
-                        label});
+      const Surface surface = is_open ? Surface::Gap : Surface::Structure;
+      scene_.addFace(corners, space.isRoom() ? FaceLook{surface, label, number_}
+                                             : FaceLook{Surface::Object});
     };
     if (space.isRoom() || space.kind == Space::Reveal)
       add(space.low, true, space.floor_is_open, space.floor);
@@ -159,7 +148,7 @@ private:
   {
     if (space.kind == Space::Reveal && side.is_far_side)
       return;
-    const Look look = lookOf(space, side);
+    const FaceLook look = lookOf(space, side);
     const Border floor = borderOf(side, space.low);
     const Border ceiling = borderOf(side, space.high);
     Border low = floor;
@@ -180,24 +169,26 @@ private:
         continue;
       addStrip(side, low, from, look);
       if (is_opening)
-        addStrip(side, from, to, {Surface::Gap, Label::Wall, other.opening});
+        addStrip(side, from, to, {Surface::Gap, Label::Wall, number_, other.opening});
       low = to;
     }
     addStrip(side, low, ceiling, look);
   }
 
-  Look lookOf(const Space& space, const PlanSide& side) const
+  FaceLook lookOf(const Space& space, const PlanSide& side) const
   {
     if (!space.isRoom())
-      return {Surface::Object, Label::Other, space.opening};
+      return {Surface::Object, Label::Other, 0, space.opening};
     const Spaces& beyond = plan_.cells[side.beyond];
     const bool is_riser =
         space.kind == Space::Niche ||
         std::any_of(beyond.begin(), beyond.end(),
                     [](const Space& other) { return other.kind == Space::Inside; });
-    return {Surface::Structure, is_riser       ? Label::Detail
-                                : side.is_wall ? Label::Wall
-                                               : Label::Column};
+    return {Surface::Structure,
+            is_riser       ? Label::Detail
+            : side.is_wall ? Label::Wall
+                           : Label::Column,
+            number_};
   }
 
   Border borderOf(const PlanSide& side, const Slab& slab) const
@@ -220,7 +211,7 @@ private:
   void addStrip(const PlanSide& side,
                 const Border& low,
                 const Border& high,
-                const Look& look)
+                const FaceLook& look)
   {
     const VertexLevels& za = levels_[side.a];
     const VertexLevels& zb = levels_[side.b];
@@ -229,15 +220,9 @@ private:
       const bool climb_b = i == high.a || (j < high.b && zb[j + 1] <= za[i + 1]);
       const auto at_a = static_cast<std::uint32_t>(first_vertex_[side.a] + i);
       const auto at_b = static_cast<std::uint32_t>(first_vertex_[side.b] + j);
-      addFace({at_a, at_b, climb_b ? at_b + 1 : at_a + 1}, look);
+      scene_.addFace({at_a, at_b, climb_b ? at_b + 1 : at_a + 1}, look);
       ++(climb_b ? j : i);
     }
-  }
-
-  void addFace(const Triangle& corners, const Look& look)
-  {
-    scene_.addFace(corners, look.surface, look.label,
-                   look.surface == Surface::Object ? 0 : number_, look.opening);
   }
 
   std::uint32_t vertexAt(std::uint32_t point, double z) const
@@ -260,7 +245,7 @@ private:
 
   const Room& room_;
   const std::uint32_t number_;
-  const RoomCells& plan_;
+  const RoomCells plan_;
   SceneMesh& scene_;
   std::vector<VertexLevels> levels_;        ///< of each point
   std::vector<std::uint32_t> first_vertex_; ///< of each point, at its lowest level
@@ -269,12 +254,9 @@ private:
 } // namespace
 
 void
-addRoom(const Room& room,
-        std::uint32_t number,
-        const RoomCells& cells,
-        SceneMesh& scene)
+addRoom(const Scene& scene, std::size_t index, SceneMesh& mesh)
 {
-  RoomMesher(room, number, cells, scene).run();
+  RoomMesher(scene, index, mesh).run();
 }
 
 } // namespace pcl::sedr::sim

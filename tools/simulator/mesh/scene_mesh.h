@@ -21,6 +21,14 @@ enum class Surface : std::uint8_t {
   Pane       ///< of a window
 };
 
+/** @brief What a face of a scene is. */
+struct FaceLook {
+  Surface surface = Surface::Object;
+  Label label = Label::Other;
+  std::uint32_t room = 0;    ///< 0: none
+  std::uint32_t opening = 0; ///< number of the opening, of gaps and panes
+};
+
 /** @brief The pane of an opening. */
 struct Pane {
   Glazing glazing;
@@ -38,11 +46,7 @@ struct SceneMesh {
   std::vector<Pane> panes;       ///< by the number of their opening, less 1
 
   std::uint32_t addVertex(const Vec3& position);
-  void addFace(const Triangle& corners,
-               Surface surface,
-               Label label = Label::Other,
-               std::uint32_t room = 0,
-               std::uint32_t opening = 0);
+  void addFace(const Triangle& corners, const FaceLook& look);
 };
 
 /** @brief Returns everything in the scene that a ray can hit, and the gaps.

@@ -197,28 +197,6 @@ chordEnds(const Element& element, std::vector<double> cuts)
   return cuts;
 }
 
-std::vector<double>
-stepsAlong(const Element& element)
-{
-  constexpr double spacing = 0.05;
-  const double length = element.length();
-  const auto count = static_cast<std::size_t>(std::ceil(length / spacing));
-  std::vector<double> steps;
-  for (std::size_t i = 0; i <= count; ++i)
-    steps.push_back(length * static_cast<double>(i) / static_cast<double>(count));
-  return steps;
-}
-
-std::vector<Vec2>
-samplesAlong(const Loop& loop, double inwards)
-{
-  std::vector<Vec2> samples;
-  for (const Element& element : loop.elements)
-    for (const double s : stepsAlong(element))
-      samples.push_back(pointBeside(element, s, -inwards));
-  return samples;
-}
-
 Vec2
 pointInside(const Loop& loop)
 {

@@ -107,12 +107,6 @@ locate(const Element& element, const Vec2& point, double tolerance = kSamePoint)
  * places. */
 std::vector<double> chordEnds(const Element& element, std::vector<double> cuts = {});
 
-/** @brief Returns distances along an element every few centimetres, with both ends. */
-std::vector<double> stepsAlong(const Element& element);
-
-/** @brief Returns points every few centimetres, @p inwards metres left of a loop. */
-std::vector<Vec2> samplesAlong(const Loop& loop, double inwards = 0.0);
-
 /** @brief Returns a point just inside a loop that runs in either direction. */
 Vec2 pointInside(const Loop& loop);
 

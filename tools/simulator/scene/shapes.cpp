@@ -58,7 +58,7 @@ creasesOfVault(const Loop& loop, const SlabCurve& curve)
 {
   const Vec2 across = leftOf(curve.axis);
   Box2 bounds; // along and across the axis
-  for (const Vec2& place : samplesAlong(loop)) {
+  for (const Vec2& place : loop.polygon(kCurveTolerance)) {
     const Vec2 off = place - curve.centre;
     bounds.extend(Vec2(curve.axis.dot(off), across.dot(off)));
   }
@@ -209,15 +209,9 @@ headBetween(const Room& room, const Face& before, const Face& after)
 std::vector<TiltedPart>
 tiltedPartsOf(const Room& room)
 {
-  const auto is_tilted = [&](const WallGap& gap) {
-    return room.boundary.elements[gap.wall].tilt != 0.0;
-  };
   std::vector<TiltedPart> parts;
   if (!isTilted(room))
     return parts;
-  if (std::any_of(room.openings.begin(), room.openings.end(), is_tilted) ||
-      std::any_of(room.wall_niches.begin(), room.wall_niches.end(), is_tilted))
-    fail("a tilted wall has an opening or a niche");
   if (gradientOf(room.floor).squaredNorm() > 0.0)
     fail("the floor is not level");
   const std::vector<Face> faces = facesOf(room.boundary);

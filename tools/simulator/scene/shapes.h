@@ -51,7 +51,7 @@ struct TiltedPart {
 
 /** @brief Returns the tilted walls of a room.
  * @throw std::invalid_argument if the floor is not level, or a tilted wall is below a
- * curve, has an opening or a niche, or does not meet the ceiling or a wall beside it */
+ * curve, or does not meet the ceiling or a wall beside it */
 std::vector<TiltedPart> tiltedPartsOf(const Room& room);
 
 } // namespace pcl::sedr::sim

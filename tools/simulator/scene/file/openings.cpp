@@ -170,9 +170,11 @@ readGap(const JsonView& view, const Room& room)
   gap.sill = view.numberOr("sill", floorAlong(room, gap));
   gap.head = view.at("head").number();
   gap.depth = view.at("depth").size();
-  if (!(gap.from >= 0.0 && gap.from < gap.to &&
-        gap.to <= room.boundary.elements[gap.wall].length()))
+  const Element& wall = room.boundary.elements[gap.wall];
+  if (!(gap.from >= 0.0 && gap.from < gap.to && gap.to <= wall.length()))
     view.fail("does not lie within its wall");
+  if (wall.tilt != 0.0)
+    view.fail("is in a tilted wall");
   if (!(gap.sill < gap.head))
     view.fail("has no height");
   return gap;

@@ -190,7 +190,7 @@ readVault(const JsonView& view, const Loop& loop)
   curve.base = view.at("height").number();
   curve.setDirection(view.at("direction").angle());
   curve.across = curve.up = edgeRadius(radius);
-  for (const Vec2& place : samplesAlong(loop))
+  for (const Vec2& place : loop.polygon(kCurveTolerance))
     if (std::abs(leftOf(curve.axis).dot(place - curve.centre)) > radius + kSamePoint)
       view.fail("does not reach the sides of its loop");
   PlanDetail part;
