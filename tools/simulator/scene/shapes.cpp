@@ -115,33 +115,6 @@ creasesOf(const PlanDetail& part)
              : creasesOfDome(part.boundary, *part.slab.curve);
 }
 
-std::vector<PlanDetail>
-ribsOf(const Room& room, const RibFamily& family)
-{
-  const Vec2 along(std::cos(family.direction), std::sin(family.direction));
-  const Vec2 across = leftOf(along);
-  Box2 bounds; // along and across
-  for (const Element& wall : room.boundary.elements)
-    bounds.extend(Vec2(wall.start.dot(along), wall.start.dot(across)));
-  const auto at = [&](double s, double t) { return Vec2(s * along + t * across); };
-  const double start = bounds.min().x();
-  const double end = bounds.max().x();
-  const Slab underside = raised(room.ceiling, -family.depth);
-  std::vector<PlanDetail> ribs;
-  double low = bounds.min().y() + family.first.value_or(0.5 * family.spacing) -
-               0.5 * family.width;
-  for (; low + family.width <= bounds.max().y() + kSamePoint; low += family.spacing) {
-    if (low < bounds.min().y() - kSamePoint)
-      continue;
-    const double high = low + family.width;
-    ribs.push_back(
-        {loopOf({at(start, low), at(end, low), at(end, high), at(start, high)}),
-         {},
-         underside});
-  }
-  return ribs;
-}
-
 namespace {
 
 constexpr double kNear = 1e-3; ///< metres inside the room

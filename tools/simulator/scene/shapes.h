@@ -3,7 +3,6 @@
 
 #include "scene.h"
 
-#include <optional>
 #include <vector>
 
 /** @file Ceilings and walls that are more than a plane. */
@@ -22,24 +21,6 @@ Loop rimOf(const SlabCurve& ellipsoid, double share);
 /** @brief Returns the edges of the flat facets that stand for a curved part of a
  * ceiling in the mesh, in plan; none for other parts. */
 std::vector<Element> creasesOf(const PlanDetail& part);
-
-/** @brief Parallel ribs or beams below a ceiling, from wall to wall. */
-struct RibFamily {
-  double direction = 0.0; ///< radians, along the ribs
-  double spacing = 0.0;   ///< metres from one rib's middle to the next
-  double width = 0.0;     ///< metres
-  double depth = 0.0;     ///< metres below the ceiling
-  /// Metres from the room's right end, seen along the ribs, to the middle of
-  /// the first rib; empty: half the spacing.
-  std::optional<double> first = std::nullopt;
-};
-
-/** @brief Returns the ribs of a family as details of a room's ceiling.
- *
- * They extend over the bounds of the room: walls cut them, and so do details that come
- * after them in the room's list, as beams cut joists. A rib that would cross the wall
- * beside it at either end of the room is left out. */
-std::vector<PlanDetail> ribsOf(const Room& room, const RibFamily& family);
 
 /** @brief What of a tilted wall is seen in plan, between its foot at the floor and its
  * head at the ceiling: flat, as parts of cones are facets. */

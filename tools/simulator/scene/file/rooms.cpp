@@ -126,30 +126,41 @@ readDetail(const JsonView& view,
                  : raised(whole.slab, upwards * distance->number())};
 }
 
-RibFamily
-readRibFamily(const JsonView& view)
-{
-  RibFamily family{view.at("direction").angle(), view.at("spacing").number(kNarrowest),
-                   view.at("width").size(), view.at("depth").size()};
-  if (!(family.width < family.spacing))
-    view.at("width").fail("is not less than the spacing of the ribs");
-  if (const auto first = view.find("first"))
-    family.first = first->number();
-  return family;
-}
-
-/** @brief Adds the ribs of a ceiling to its details. */
+/** @brief Adds parallel ribs below a ceiling to its details.
+ *
+ * They extend over the bounds of the room: walls cut them, and so do details that come
+ * after them in the room's list, as beams cut joists. A rib that would cross the wall
+ * beside it at either end of the room is left out. */
 void
 readRibs(const JsonView& view, Room& room)
 {
-  const RibFamily family = readRibFamily(view);
-  for (const Element& wall : room.boundary.elements)
-    if (wall.isArc())
-      view.fail("needs a room with straight walls");
-  std::vector<PlanDetail> ribs = ribsOf(room, family);
-  if (ribs.size() > kMostRibs)
-    view.fail("makes more than " + std::to_string(kMostRibs) + " ribs");
-  std::move(ribs.begin(), ribs.end(), std::back_inserter(room.details));
+  const double spacing = view.at("spacing").number(kNarrowest);
+  const double width = view.at("width").size();
+  if (!(width < spacing))
+    view.at("width").fail("is not less than the spacing of the ribs");
+  const Slab underside = raised(room.ceiling, -view.at("depth").size());
+  const Vec2 along = rotated({1.0, 0.0}, view.at("direction").angle());
+  const Vec2 across = leftOf(along);
+  Box2 bounds; // along and across
+  for (const Vec2& place : room.boundary.polygon(kCurveTolerance))
+    bounds.extend(Vec2(place.dot(along), place.dot(across)));
+  const Vec2 start = bounds.min().x() * along;
+  const Vec2 end = bounds.max().x() * along;
+  // To the middle of the first rib, from the room's right end, seen along the ribs.
+  const double first = view.numberOr("first", 0.5 * spacing);
+  const std::size_t before = room.details.size();
+  for (double low = bounds.min().y() + first - 0.5 * width;
+       low + width <= bounds.max().y() + kSamePoint; low += spacing) {
+    const Vec2 right = low * across;
+    const Vec2 left = (low + width) * across;
+    if (low >= bounds.min().y() - kSamePoint)
+      room.details.push_back(
+          {loopOf({start + right, end + right, end + left, start + left}),
+           {},
+           underside});
+    if (room.details.size() - before > kMostRibs)
+      view.fail("makes more than " + std::to_string(kMostRibs) + " ribs");
+  }
 }
 
 /** @brief Reads a cap of a sphere, or of an ellipsoid with a vertical axis. */
