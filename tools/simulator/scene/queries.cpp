@@ -7,19 +7,6 @@
 
 namespace pcl::sedr::sim {
 
-namespace {
-
-constexpr double kMatch = 1e-3; ///< metres between matching faces of a partition
-constexpr double kStoreyStep = 1.5;
-
-double
-floorOf(const Room& room)
-{
-  return room.floor.heightAt(pointInside(room.boundary));
-}
-
-} // namespace
-
 Label
 labelOf(const Room& room, int detail, Layer layer)
 {
@@ -65,14 +52,15 @@ faceOf(const Room& room, const WallGap& gap)
 Element
 backOf(const Scene& scene, const Room& room, const Opening& opening)
 {
+  constexpr double match = 1e-3; // metres between the two faces of a wall, as given
   const Element back =
       reversed(Loop{{offsetRight(faceOf(room, opening), opening.depth)}}).elements[0];
   if (!opening.leads_to)
     return back;
   const Room& target = scene.rooms[*opening.leads_to];
   for (const Element& wall : target.boundary.elements) {
-    const auto from = locate(wall, back.start, kMatch);
-    const auto to = locate(wall, back.end, kMatch);
+    const auto from = locate(wall, back.start, match);
+    const auto to = locate(wall, back.end, match);
     if (from && to && *from < *to)
       return wall.part(*from, *to);
   }
@@ -89,31 +77,6 @@ floorVoidsOf(const Scene& scene)
       if (hole.leads_to && *hole.leads_to < scene.rooms.size())
         voids[*hole.leads_to].push_back(hole.loop);
   return voids;
-}
-
-std::vector<std::size_t>
-storeysOf(const Scene& scene)
-{
-  const auto& rooms = scene.rooms;
-  std::vector<double> floors;
-  for (const Room& room : rooms)
-    floors.push_back(floorOf(room));
-  std::vector<double> ascending = floors;
-  std::sort(ascending.begin(), ascending.end());
-  std::vector<std::size_t> storeys(rooms.size(), 1);
-  for (std::size_t i = 0; i < rooms.size(); ++i) {
-    for (std::size_t k = 1; k < floors.size() && ascending[k] <= floors[i]; ++k)
-      storeys[i] += ascending[k] - ascending[k - 1] >= kStoreyStep ? 1 : 0;
-    double nearest = std::numeric_limits<double>::infinity(); // of numbered rooms
-    for (std::size_t k = 0; k < rooms.size(); ++k)
-      if (const double apart = std::abs(floors[k] - floors[i]);
-          rooms[k].storey && apart < nearest) {
-        nearest = apart;
-        storeys[i] = *rooms[k].storey;
-      }
-    storeys[i] = rooms[i].storey.value_or(storeys[i]);
-  }
-  return storeys;
 }
 
 std::string

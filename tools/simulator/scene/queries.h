@@ -39,11 +39,4 @@ Element backOf(const Scene& scene, const Room& room, const Opening& opening);
 /** @brief Returns the holes in every room's floor: voids that lead to it from below. */
 std::vector<std::vector<Loop>> floorVoidsOf(const Scene& scene);
 
-/** @brief Returns the number of every room's storey; the lowest is 1.
- *
- * A number in the scene takes precedence. Other rooms go by their floors: a storey ends
- * where the next higher floor is 1.5 m or more above it. If the scene numbers only some
- * rooms, the others get the number of the room nearest in height. */
-std::vector<std::size_t> storeysOf(const Scene& scene);
-
 } // namespace pcl::sedr::sim

@@ -261,9 +261,6 @@ struct BuiltInScene {
   std::string text; ///< of its file: see parseScene()
 };
 
-/** @brief Returns the text of a scene file. */
-std::string readSceneText(const std::filesystem::path& path);
-
 /** @brief Parses a scene and checks that it is physically possible.
  *
  * Every room can be meshed: see meshOf(). Scanners are in a room and in no object.

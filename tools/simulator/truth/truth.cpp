@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace pcl::sedr::sim {
@@ -23,6 +24,7 @@ constexpr double kWindowSill = 0.3;       ///< metres above the floors
 constexpr double kDoorWidth = 1.3;        ///< metres, of the widest door
 constexpr double kAjar = 60.0 * pi / 180; ///< widest angle of a door that is ajar
 constexpr double kTallestStep = 0.4;
+constexpr double kStoreyStep = 1.5;
 
 /** @brief Returns a point in front of the middle of a part of a wall. */
 Vec2
@@ -177,6 +179,36 @@ loopsToJson(const Placement& placement, const std::vector<Loop>& loops)
   for (const Loop& loop : loops)
     list.push_back(placed(placement, loop));
   return list;
+}
+
+/** @brief Returns the number of every room's storey; the lowest is 1.
+ *
+ * A number in the scene takes precedence. Other rooms go by their floors: a storey ends
+ * where the next higher floor is 1.5 m or more above it. If the scene numbers only some
+ * rooms, the others get the number of the room nearest in height. */
+std::vector<std::size_t>
+storeysOf(const Scene& scene)
+{
+  const auto& rooms = scene.rooms;
+  std::vector<double> floors;
+  for (const Room& room : rooms)
+    floors.push_back(room.floor.heightAt(pointInside(room.boundary)));
+  std::vector<double> ascending = floors;
+  std::sort(ascending.begin(), ascending.end());
+  std::vector<std::size_t> storeys(rooms.size(), 1);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    for (std::size_t k = 1; k < floors.size() && ascending[k] <= floors[i]; ++k)
+      storeys[i] += ascending[k] - ascending[k - 1] >= kStoreyStep ? 1 : 0;
+    double nearest = std::numeric_limits<double>::infinity(); // of numbered rooms
+    for (std::size_t k = 0; k < rooms.size(); ++k)
+      if (const double apart = std::abs(floors[k] - floors[i]);
+          rooms[k].storey && apart < nearest) {
+        nearest = apart;
+        storeys[i] = *rooms[k].storey;
+      }
+    storeys[i] = rooms[i].storey.value_or(storeys[i]);
+  }
+  return storeys;
 }
 
 Json

@@ -165,16 +165,6 @@ readScene(const JsonView& view)
 
 } // namespace
 
-std::string
-readSceneText(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
-    fail("Cannot read the scene file ", path.string());
-  return text.str();
-}
-
 Scene
 parseScene(const std::string& text, const std::string& source)
 {
@@ -204,9 +194,13 @@ allScenes()
 std::string
 sceneText(const std::string& name_or_path)
 {
-  const std::filesystem::path path(name_or_path);
-  if (path.extension() == ".json")
-    return readSceneText(path);
+  if (std::filesystem::path(name_or_path).extension() == ".json") {
+    std::ifstream file(name_or_path, std::ios::binary);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf()))
+      fail("Cannot read the scene file ", name_or_path);
+    return text.str();
+  }
   std::string known;
   for (const BuiltInScene& scene : builtInScenes()) {
     if (scene.name == name_or_path)
