@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_cells.h"
 
-#include "simulator/scene/queries.h"
 #include "simulator/scene/shapes.h"
 
 #include "sedr_filters/src/plan/room_lookup.h"
@@ -34,6 +33,15 @@ struct Recess {
   Space space;
 };
 
+/** @brief Returns the label of a detail of a floor or ceiling; -1: @p whole. */
+Label
+labelOf(const std::vector<PlanDetail>& details, int detail, Label whole)
+{
+  return detail < 0 || details[static_cast<std::size_t>(detail)].is_facet
+             ? whole
+             : Label::Detail;
+}
+
 /** @brief Returns a box around a room. */
 Eigen::AlignedBox3d
 boxAround(const Room& room)
@@ -49,8 +57,8 @@ boxAround(const Room& room)
   };
   extend(room.floor, 0.0);
   extend(room.ceiling, room.plenum);
-  for (const Layer layer : {Layer::Floor, Layer::Ceiling})
-    for (const PlanDetail& detail : detailsOf(room, layer))
+  for (const auto* details : {&room.floor_details, &room.details})
+    for (const PlanDetail& detail : *details)
       extend(detail.slab, 0.0);
   return box;
 }
@@ -119,8 +127,8 @@ private:
     std::vector<const Loop*> loops;
     for (const Loop& column : room_.columns)
       loops.push_back(&column);
-    for (const Layer layer : {Layer::Ceiling, Layer::Floor})
-      for (const PlanDetail& detail : detailsOf(room_, layer))
+    for (const auto* details : {&room_.details, &room_.floor_details})
+      for (const PlanDetail& detail : *details)
         loops.push_back(&detail.boundary);
     for (const CeilingVoid& hole : room_.voids) {
       loops.push_back(&hole.loop);
@@ -160,14 +168,9 @@ private:
       for (const Vec2& corner : corners_)
         if (const auto s = locate(element, corner))
           cuts.push_back(*s);
-    const std::vector<double> ends = chordEnds(element, std::move(cuts));
-    const auto place = [&](std::size_t i) {
-      return i == 0                 ? element.start
-             : i + 1 == ends.size() ? element.end
-                                    : element.pointAt(ends[i]);
-    };
+    const std::vector<Vec2> ends = chordPoints(element, std::move(cuts));
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-      chords_.push_back({place(i), place(i + 1), part});
+      chords_.push_back({ends[i], ends[i + 1], part});
   }
 
   void triangulate()
@@ -310,8 +313,8 @@ private:
     Space inside{Space::Inside,
                  room_.floorSlab(floor),
                  room_.ceilingSlab(ceiling),
-                 labelOf(room_, floor, Layer::Floor),
-                 labelOf(room_, ceiling, Layer::Ceiling),
+                 labelOf(room_.floor_details, floor, Label::Floor),
+                 labelOf(room_.details, ceiling, Label::Ceiling),
                  floorIsOpen(place)};
     if (const TiltedPart* part = slantAt(place, true)) {
       inside.low = part->wall;

@@ -2,7 +2,6 @@
 #include "scene_mesh.h"
 
 #include "room_cells.h"
-#include "simulator/scene/queries.h"
 
 #include <algorithm>
 #include <stdexcept>

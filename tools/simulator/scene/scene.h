@@ -107,6 +107,9 @@ locate(const Element& element, const Vec2& point, double tolerance = kSamePoint)
  * places. */
 std::vector<double> chordEnds(const Element& element, std::vector<double> cuts = {});
 
+/** @brief Returns the ends of the chords; the outermost are exactly the element's. */
+std::vector<Vec2> chordPoints(const Element& element, std::vector<double> cuts = {});
+
 /** @brief Returns a point just inside a loop that runs in either direction. */
 Vec2 pointInside(const Loop& loop);
 
@@ -254,6 +257,25 @@ placed(const Placement& placement, Loop loop)
       *point = placed(placement, *point);
   return loop;
 }
+
+/** @brief Returns the number of the room around @p point in the plan, from 1; 0: none.
+ *
+ * If rooms lie above each other, the one nearest in height is returned. */
+std::uint32_t roomAt(const Scene& scene, const Vec3& point);
+
+/** @brief Returns the place of an element of a list, as in "rooms[2]". */
+std::string placeOf(const std::string& list, std::size_t index);
+
+/** @brief Returns the part of a wall's face that a gap cuts. */
+Element faceOf(const Room& room, const WallGap& gap);
+
+/** @brief Returns the far side of an opening: a part of the wall of the room that it
+ * leads to, which runs as that wall does.
+ * @throw std::invalid_argument if that room has no wall there */
+Element backOf(const Scene& scene, const Room& room, const Opening& opening);
+
+/** @brief Returns the holes in every room's floor: voids that lead to it from below. */
+std::vector<std::vector<Loop>> floorVoidsOf(const Scene& scene);
 
 /** @brief A scene file that is part of the simulator's library. */
 struct BuiltInScene {

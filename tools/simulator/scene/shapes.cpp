@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shapes.h"
-#include "queries.h"
 
 #include "sedr_filters/src/walls/plan_walls.h"
 
@@ -135,12 +134,10 @@ facesOf(const Loop& outline)
   for (std::size_t wall = 0; wall < outline.elements.size(); ++wall) {
     const Element& element = outline.elements[wall];
     const bool is_cone = element.tilt != 0.0 && element.isArc();
-    const std::vector<double> ends =
-        is_cone ? chordEnds(element) : std::vector<double>{0.0, element.length()};
+    const std::vector<Vec2> ends =
+        is_cone ? chordPoints(element) : std::vector<Vec2>{element.start, element.end};
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const Element foot =
-          segment(i == 0 ? element.start : element.pointAt(ends[i]),
-                  i + 2 == ends.size() ? element.end : element.pointAt(ends[i + 1]));
+      const Element foot = segment(ends[i], ends[i + 1]);
       faces.push_back({foot, wall, std::tan(element.tilt), foot.normalAt(0.0)});
     }
   }

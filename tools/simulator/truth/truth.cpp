@@ -4,7 +4,6 @@
 #include "bytes/whole_file.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "simulator/scene/file/furniture.h"
-#include "simulator/scene/queries.h"
 
 #include <pcl/sedr_surface/triangle_mesh.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
-#include "simulator/scene/queries.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
 
-#include "simulator/scene/queries.h"
-
 #include <algorithm>
 #include <limits>
 

@@ -2,7 +2,6 @@
 #include "furniture.h"
 #include "json_view.h"
 #include "simulator/mesh/scene_mesh.h"
-#include "simulator/scene/queries.h"
 #include "simulator/scene/scene.h"
 
 #include <algorithm>

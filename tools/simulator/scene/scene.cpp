@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "queries.h"
 #include "scene.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace pcl::sedr::sim {
-
-Label
-labelOf(const Room& room, int detail, Layer layer)
-{
-  const bool is_part =
-      detail >= 0 && !detailsOf(room, layer)[static_cast<std::size_t>(detail)].is_facet;
-  return is_part                 ? Label::Detail
-         : layer == Layer::Floor ? Label::Floor
-                                 : Label::Ceiling;
-}
 
 std::uint32_t
 roomAt(const Scene& scene, const Vec3& point)
@@ -158,6 +147,17 @@ chordEnds(const Element& element, std::vector<double> cuts)
   if (cuts.size() > 1 && length - cuts.back() < kSamePoint)
     cuts.back() = length;
   return cuts;
+}
+
+std::vector<Vec2>
+chordPoints(const Element& element, std::vector<double> cuts)
+{
+  std::vector<Vec2> points;
+  for (const double s : chordEnds(element, std::move(cuts)))
+    points.push_back(element.pointAt(s));
+  points.front() = element.start;
+  points.back() = element.end;
+  return points;
 }
 
 Vec2
