@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scan.h"
-#include "simulator/scene/queries.h"
 #include "simulator/scene/scene.h"
 
 #include <pcl/sedr_filters/plan_warning.h>

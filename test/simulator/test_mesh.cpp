@@ -24,6 +24,16 @@ areaOf(const TriangleMesh& mesh, Label label)
   return area;
 }
 
+double
+areaOfObjects(const SceneMesh& scene)
+{
+  double area = 0;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t)
+    if (scene.surfaces[t] == Surface::Object)
+      area += scene.mesh.scaledNormal(t).norm() / 2;
+  return area;
+}
+
 /** @brief A room, and what its truth measures. */
 struct Expected {
   std::string name;
@@ -178,6 +188,26 @@ TEST(SceneMesh, closesOpeningsWithFacesOfTheirNumberOnBothSides)
   EXPECT_NEAR((areas[{Surface::Gap, 2}]), 2, 1e-9);
   EXPECT_NEAR((areas[{Surface::Pane, 2}]), 2, 1e-9);
   EXPECT_NEAR((areas[{Surface::Object, 1}]), 2 * 2 * 0.1, 1e-9); // jambs
+  EXPECT_TRUE(checkTopology(truthOf(scene)).isClosedManifold());
+}
+
+TEST(SceneMesh, leavesWindowsAboveNichesOpen)
+{
+  const SceneMesh scene = meshOf(read(with(boxFile(), R"({
+      "/rooms/0/niches": [{"wall": 0, "from": 1, "to": 3, "sill": 0, "head": 0.9, "depth": 0.2}],
+      "/rooms/0/openings": [
+        {"wall": 0, "from": 1, "to": 3, "sill": 0.9, "head": 2, "depth": 0.3}]})")));
+  EXPECT_NEAR(areaOfObjects(scene), 2 * (1.1 + 2) * 0.3, 1e-9); // nothing across it
+  EXPECT_TRUE(checkTopology(truthOf(scene)).isClosedManifold());
+}
+
+TEST(SceneMesh, hasShaftsFromCeilingsOfTwoHeights)
+{
+  const SceneMesh scene = meshOf(read(with(twoStoreyFile(), R"({
+      "/rooms/0/furniture": [], "/rooms/0/openings": [], "/rooms/1/openings": [],
+      "/rooms/0/ceiling_details": [
+        {"loop": {"rectangle": [[0, 0], [2, 5]]}, "drop": 0.3}]})")));
+  EXPECT_NEAR(areaOfObjects(scene), 0.6 * (1.2 + 2 * 1) + 0.3 * (1.2 + 2 * 2.5), 1e-9);
   EXPECT_TRUE(checkTopology(truthOf(scene)).isClosedManifold());
 }
 

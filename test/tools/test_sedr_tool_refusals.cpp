@@ -134,6 +134,7 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
     for (float* value : {&p.x, &p.y, &p.z})
       *value /= 0.3048F;
   };
+  nlohmann::json told; // of the input in the last report
   const auto areaWith = [&](const std::string& scan, const Strings& options) {
     Strings all = options;
     all.emplace_back("--no-mesh");
@@ -145,6 +146,7 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
          pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem)
              .rooms)
       area += room.area();
+    told = nlohmann::json::parse(bytesOf(in("model/report.json"))).at("input");
     std::filesystem::remove_all(in("model"));
     return area;
   };
@@ -155,6 +157,7 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
   const std::string in_feet = threeRooms(scale);
   expectFailure(onFile(in_feet), 2, "--unit 0.3048");
   EXPECT_NEAR(areaWith(in_feet, {"--unit", "0.3048"}), area, 0.1);
+  EXPECT_EQ(told.at("unit"), 0.3048) << "as the viewer is to read it";
   EXPECT_NEAR(areaWith(in_feet, {"--unit", "1"}), area / 0.3048 / 0.3048, 60);
 }
 

@@ -61,7 +61,6 @@ ScanSettings
 ScanOptions::resolved() const
 {
   ScanSettings all = settings;
-  all.unit = unit.value_or(all.unit);
   Origin given;
   if (origin.empty())
     return all;
@@ -79,7 +78,7 @@ ScanOptions::given() const
 {
   const std::pair<const char*, bool> options[] = {
       {"--scan", settings.scan != 0},           {"--skip-broken", settings.skip_broken},
-      {"--columns", !settings.columns.empty()}, {"--unit", unit.has_value()},
+      {"--columns", !settings.columns.empty()}, {"--unit", settings.unit.has_value()},
       {"--up", !settings.up.empty()},           {"--origin", !origin.empty()}};
   for (const auto& [name, is_given] : options)
     if (is_given)
@@ -90,7 +89,7 @@ ScanOptions::given() const
 void
 addScanOptions(Options& options, ScanOptions& scan)
 {
-  options.optionalNumber("unit", scan.unit, "m",
+  options.optionalNumber("unit", scan.settings.unit, "m",
                          "length of one unit of the scan: 0.001 for millimetres, "
                          "0.3048 for feet",
                          "1", Range::between(1e-6, 1e6));

@@ -4,16 +4,14 @@
 #include "options.h"
 #include "scan_settings.h"
 
-#include <optional>
 #include <string>
 
 namespace pcl::sedr::tools {
 
 /** @brief Options for reading scans, as given on the command line. */
 struct ScanOptions {
-  ScanSettings settings;      ///< settings that are independent of other files
-  std::string origin;         ///< "x,y,z", or a model or cloud
-  std::optional<double> unit; ///< metres per unit of the file, if given
+  ScanSettings settings; ///< settings that are independent of other files
+  std::string origin;    ///< "x,y,z", or a model or cloud
 
   /** @brief Returns the complete settings; throws ToolError on invalid or contradictory
    * options. */

@@ -11,7 +11,7 @@ namespace pcl::sedr::tools {
 
 /** @brief Settings for reading a scan. */
 struct ScanSettings {
-  double unit = 1;              ///< metres per unit of the file
+  std::optional<double> unit;   ///< metres per unit of the file; empty: 1
   std::string up;               ///< axis of the file that becomes z: x to -z; empty: z
   std::optional<Origin> origin; ///< of coordinates; empty: chosen automatically
   bool shifts = true;           ///< whether an origin is subtracted if none is given

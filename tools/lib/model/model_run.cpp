@@ -72,7 +72,7 @@ bool
 knowsUnit(const ModelSettings& settings)
 {
   const std::vector<std::string> files = scanFilesOf(settings.inputs);
-  return settings.scan.unit ||
+  return settings.scan.settings.unit ||
          std::all_of(files.begin(), files.end(), [](const std::string& file) {
            return looksLikeE57(InputFile(file));
          });

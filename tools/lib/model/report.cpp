@@ -124,7 +124,7 @@ inputOf(const RunRecord& run)
   const ScanSettings& reading = run.reading;
   Json input{{"path", namesOf(run.inputs)},
              {"points", run.points},
-             {"unit", reading.unit}};
+             {"unit", reading.unit.value_or(1)}};
   if (!reading.up.empty())
     input["up"] = reading.up;
   if (reading.scan > 0)
@@ -141,7 +141,7 @@ Json
 parametersOf(const RunRecord& run, const Reconstruction& chain)
 {
   const ChainStages& c = chain.getStages();
-  return {{"unit", run.reading.unit},
+  return {{"unit", run.reading.unit.value_or(1)},
           {"z_up", chain.getAssumptions().trust_up},
           {"levelled", chain.getAssumptions().keep_levelled},
           {"threads", chain.getNumberOfThreads()},

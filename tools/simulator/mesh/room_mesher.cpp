@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_plan.h"
+#include "room_cells.h"
+#include "scene_mesh.h"
+
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <algorithm>
 #include <map>
@@ -43,236 +46,181 @@ private:
   std::vector<double> levels_;
 };
 
-/** @brief Builds the mesh of one room. */
+/** @brief Builds the mesh of one room and of the other spaces that it gives. */
 class RoomMesher {
 public:
-  RoomMesher(const Room& room,
-             std::uint32_t number,
-             const std::vector<Opening>& openings,
-             const RoomPlan& plan,
-             SceneMesh& scene)
-      : room_(room)
-      , number_(number)
-      , openings_(openings)
-      , plan_(plan)
-      , scene_(scene)
-      , points_(plan.points)
+  RoomMesher(const Scene& scene, std::size_t index, SceneMesh& mesh)
+      : room_(scene.rooms[index])
+      , number_(static_cast<std::uint32_t>(index + 1))
+      , plan_(cellsOf(scene, index))
+      , scene_(mesh)
+      , levels_(plan_.points.size())
   {}
 
   void run()
   {
-    addNicheFootprints();
     collectLevels();
     const std::size_t first = scene_.mesh.triangles.size();
-    addSlabs();
-    for (const PlanSide& side : plan_.sides)
-      if (side.beyond) {
-        addRiser(side, Layer::Floor);
-        addRiser(side, Layer::Ceiling);
-      }
-      else {
-        addWall(side);
-      }
-    for (std::size_t i = 0; i < niches_.size(); ++i)
-      addNiche(room_.wall_niches[i], niches_[i]);
+    addFaces(true);
     expectClosed(first);
+    addFaces(false);
   }
 
 private:
-  /** @brief The points of a niche, along the wall and along its back. */
-  struct NicheFootprint {
-    std::vector<std::uint32_t> near;
-    std::vector<std::uint32_t> far;
-  };
+  /** @brief The levels at which a slab meets the start and the end of a side. */
+  struct Border {
+    std::size_t a = 0;
+    std::size_t b = 0;
 
-  /** @brief A vertical face over a side of the plan, with the room to its left. */
-  struct Strip {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    Label label = Label::Wall;
-    Surface surface = Surface::Structure;
-    std::uint32_t opening = 0;
+    bool isAtMost(const Border& other) const { return a <= other.a && b <= other.b; }
   };
-
-  void addNicheFootprints()
-  {
-    for (const WallGap& niche : room_.wall_niches) {
-      const Element& wall = room_.boundary.elements[niche.wall];
-      std::map<double, std::uint32_t> along;
-      for (const PlanSide& side : plan_.sides)
-        if (side.isWithin(niche)) {
-          along.emplace(side.from, side.a);
-          along[side.to] = side.b; // the end of the niche at the end of a wall
-        }
-      NicheFootprint footprint;
-      for (const auto& [s, point] : along) {
-        if (!footprint.near.empty() && footprint.near.back() == point)
-          continue; // the same place, computed along two sides
-        footprint.near.push_back(point);
-        footprint.far.push_back(static_cast<std::uint32_t>(points_.size()));
-        points_.push_back(pointBeside(wall, s, niche.depth));
-      }
-      niches_.push_back(std::move(footprint));
-    }
-  }
 
   void collectLevels()
   {
-    levels_.resize(points_.size());
     for (const PlanTriangle& triangle : plan_.triangles)
       for (const std::uint32_t corner : triangle.corners) {
-        const Vec2& point = points_[corner];
-        const double low = room_.floorSlab(triangle.floor).heightAt(point);
-        const double high = room_.ceilingSlab(triangle.ceiling).heightAt(point);
-        // At the edge of a tilted wall floor and ceiling may meet.
-        if (high - low < (room_.foot.elements.empty() ? kSameHeight : -kSameHeight))
-          fail("the ceiling is not above the floor", placeText(point));
-        levels_[corner].insert(low);
-        levels_[corner].insert(high);
-      }
-    const auto insert = [this](std::uint32_t point, const WallGap& gap) {
-      levels_[point].insert(gap.sill);
-      levels_[point].insert(gap.head);
-    };
-    for (const PlanSide& side : plan_.sides)
-      for (const Opening& opening : openings_)
-        if (side.isWithin(opening)) {
-          insert(side.a, opening);
-          insert(side.b, opening);
+        const Vec2& point = plan_.points[corner];
+        const Space* below = nullptr;
+        for (const Space& space : plan_.cells[triangle.cell]) {
+          const double low = space.low.heightAt(point);
+          const double high = space.high.heightAt(point);
+          // At the edge of a tilted wall floor and ceiling may meet.
+          if (high - low < (isTilted(room_) ? -kSameHeight : kSameHeight))
+            fail(space.kind == Space::Inside
+                     ? "the ceiling is not above the floor"
+                     : "an opening, niche, void or plenum has no height",
+                 placeText(point));
+          if (below && (below->isRoom() || space.isRoom()) &&
+              low < below->high.heightAt(point) - kSameHeight)
+            fail("an opening or niche reaches over another", placeText(point));
+          levels_[corner].insert(low);
+          levels_[corner].insert(high);
+          below = &space;
         }
-    for (std::size_t i = 0; i < niches_.size(); ++i)
-      for (const auto* points : {&niches_[i].near, &niches_[i].far})
-        for (const std::uint32_t point : *points)
-          insert(point, room_.wall_niches[i]);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+      }
+    for (std::size_t i = 0; i < plan_.points.size(); ++i) {
       first_vertex_.push_back(static_cast<std::uint32_t>(scene_.mesh.vertices.size()));
       for (std::size_t k = 0; k < levels_[i].size(); ++k)
-        scene_.addVertex(lifted(points_[i], levels_[i][k]));
+        scene_.addVertex(lifted(plan_.points[i], levels_[i][k]));
     }
   }
 
-  void addSlabs()
+  /** @brief Adds the faces of the room, or those of other spaces. */
+  void addFaces(bool of_room)
   {
-    for (const PlanTriangle& triangle : plan_.triangles) {
-      addSlabFace(triangle, Layer::Floor);
-      addSlabFace(triangle, Layer::Ceiling);
-    }
-  }
-
-  void addSlabFace(const PlanTriangle& triangle, Layer layer)
-  {
-    const bool is_floor = layer == Layer::Floor;
-    const int region = is_floor ? triangle.floor : triangle.ceiling;
-    const Slab& slab = slabOf(room_, region, layer);
-    Triangle corners{};
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] =
-          vertexAt(triangle.corners[k], slab.heightAt(points_[triangle.corners[k]]));
-    if (is_floor)
-      std::swap(corners[1], corners[2]);
-    const bool is_open =
-        is_floor ? triangle.floor_is_open : triangle.hole_above.has_value();
-    scene_.addFace(corners, is_open ? Surface::Gap : Surface::Structure,
-                   labelOf(room_, region, layer), number_);
-  }
-
-  void addWall(const PlanSide& side)
-  {
-    const PlanTriangle& triangle = plan_.triangles[side.triangle];
-    Strip strip{side.a, side.b};
-    strip.label = side.wall ? Label::Wall : Label::Column;
-    std::vector<std::pair<const WallGap*, std::uint32_t>> gaps;
-    for (const Opening& opening : openings_)
-      if (side.isWithin(opening))
-        gaps.emplace_back(&opening, opening.number);
-    for (const WallGap& niche : room_.wall_niches)
-      if (side.isWithin(niche))
-        gaps.emplace_back(&niche, 0);
-    std::sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) {
-      return a.first->sill < b.first->sill;
-    });
-    Slab low = room_.floorSlab(triangle.floor);
-    for (const auto& [gap, opening] : gaps) {
-      addStrip(strip, low, horizontalSlab(gap->sill));
-      if (opening > 0) {
-        Strip closed = strip;
-        closed.surface = Surface::Gap;
-        closed.opening = opening;
-        addStrip(closed, horizontalSlab(gap->sill), horizontalSlab(gap->head));
-      }
-      low = horizontalSlab(gap->head);
-    }
-    addStrip(strip, low, room_.ceilingSlab(triangle.ceiling));
-  }
-
-  void addRiser(const PlanSide& side, Layer layer)
-  {
-    const auto slab = [&](std::size_t t) -> const Slab& {
-      const PlanTriangle& triangle = plan_.triangles[t];
-      return slabOf(room_, layer == Layer::Floor ? triangle.floor : triangle.ceiling,
-                    layer);
+    const auto is_meant = [of_room](const Space& space) {
+      return space.isRoom() == of_room && space.is_given;
     };
-    const Slab& left = slab(side.triangle);
-    const Slab& right = slab(*side.beyond);
-    const auto rise = [&](std::uint32_t point) {
-      return left.heightAt(points_[point]) - right.heightAt(points_[point]);
+    for (const PlanTriangle& triangle : plan_.triangles)
+      for (const Space& space : plan_.cells[triangle.cell])
+        if (is_meant(space))
+          addSlabs(triangle, space);
+    for (const PlanSide& side : plan_.sides)
+      for (const Space& space : plan_.cells[side.cell])
+        if (is_meant(space))
+          addSide(side, space);
+  }
+
+  /** @brief Adds floor and ceiling of a space; what it shares with the room is the
+   * room's. */
+  void addSlabs(const PlanTriangle& triangle, const Space& space)
+  {
+    const auto add = [&](const Slab& slab, bool is_floor, bool is_open, Label label) {
+      Triangle corners{};
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] = vertexAt(triangle.corners[k],
+                              slab.heightAt(plan_.points[triangle.corners[k]]));
+      if (is_floor)
+        std::swap(corners[1], corners[2]);
+      const Surface surface = is_open ? Surface::Gap : Surface::Structure;
+      scene_.addFace(corners, space.isRoom() ? FaceLook{surface, label, number_}
+                                             : FaceLook{Surface::Object});
     };
-    const auto [least, most] = std::minmax({rise(side.a), rise(side.b)});
-    if (least > -kSameHeight && most < kSameHeight)
+    if (space.isRoom() || space.kind == Space::Reveal)
+      add(space.low, true, space.floor_is_open, space.floor);
+    if (space.kind != Space::Shaft)
+      add(space.high, false, space.ceiling_is_open, space.ceiling);
+  }
+
+  /** @brief Adds what of a space ends at a side: all but what the spaces beyond go on
+   * with. */
+  void addSide(const PlanSide& side, const Space& space)
+  {
+    if (space.kind == Space::Reveal && side.is_far_side)
       return;
-    if (least < -kSameHeight && most > kSameHeight)
-      fail("two parts of a floor or ceiling cross beside a riser",
-           placeText(points_[side.a]));
-    const bool left_is_higher = most >= kSameHeight;
-    const bool room_is_left = left_is_higher == (layer == Layer::Ceiling);
-    Strip strip{side.a, side.b, Label::Detail};
-    if (!room_is_left)
-      std::swap(strip.a, strip.b);
-    addStrip(strip, left_is_higher ? right : left, left_is_higher ? left : right);
-  }
-
-  void addNiche(const WallGap& niche, const NicheFootprint& footprint)
-  {
-    const auto& [near, far] = footprint;
-    const Slab low = horizontalSlab(niche.sill);
-    const Slab high = horizontalSlab(niche.head);
-    const auto add_flat = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      scene_.addFace(
-          {vertexAt(a, niche.head), vertexAt(b, niche.head), vertexAt(c, niche.head)},
-          Surface::Structure, Label::Detail, number_);
-      scene_.addFace(
-          {vertexAt(a, niche.sill), vertexAt(c, niche.sill), vertexAt(b, niche.sill)},
-          Surface::Structure, Label::Detail, number_);
-    };
-    for (std::size_t k = 0; k + 1 < near.size(); ++k) {
-      add_flat(near[k], far[k], far[k + 1]);
-      add_flat(near[k], far[k + 1], near[k + 1]);
-      addStrip({far[k], far[k + 1], Label::Detail}, low, high);
+    const FaceLook look = lookOf(space, side);
+    const Border floor = borderOf(side, space.low);
+    const Border ceiling = borderOf(side, space.high);
+    Border low = floor;
+    for (const Space& other : plan_.cells[side.beyond]) {
+      const bool is_opening = space.isRoom() && other.kind == Space::Reveal;
+      const bool goes_on = other.kind == space.kind && other.opening == space.opening;
+      if (!other.isRoom() && !is_opening && !goes_on)
+        continue;
+      const Border sill = borderOf(side, other.low);
+      const Border head = borderOf(side, other.high);
+      if (space.kind == Space::Inside && other.kind != Space::Inside &&
+          !(floor.isAtMost(sill) && head.isAtMost(ceiling)))
+        fail("an opening or niche reaches beyond floor or ceiling",
+             placeText(plan_.points[side.a]));
+      const Border from = higher(low, sill, side);
+      const Border to = higher(head, ceiling, side).isAtMost(head) ? ceiling : head;
+      if (to.isAtMost(from))
+        continue;
+      addStrip(side, low, from, look);
+      if (is_opening)
+        addStrip(side, from, to, {Surface::Gap, Label::Wall, number_, other.opening});
+      low = to;
     }
-    addStrip({near.front(), far.front(), Label::Detail}, low, high);
-    addStrip({far.back(), near.back(), Label::Detail}, low, high);
+    addStrip(side, low, ceiling, look);
   }
 
-  void addStrip(const Strip& strip, const Slab& low, const Slab& high)
+  FaceLook lookOf(const Space& space, const PlanSide& side) const
   {
-    const auto level = [this](std::uint32_t point, const Slab& slab) {
-      return levels_[point].indexOf(slab.heightAt(points_[point]));
+    if (!space.isRoom())
+      return {Surface::Object, Label::Other, 0, space.opening};
+    const Spaces& beyond = plan_.cells[side.beyond];
+    const bool is_riser =
+        space.kind == Space::Niche ||
+        std::any_of(beyond.begin(), beyond.end(),
+                    [](const Space& other) { return other.kind == Space::Inside; });
+    return {Surface::Structure,
+            is_riser       ? Label::Detail
+            : side.is_wall ? Label::Wall
+                           : Label::Column,
+            number_};
+  }
+
+  Border borderOf(const PlanSide& side, const Slab& slab) const
+  {
+    const auto level = [&](std::uint32_t point) {
+      return levels_[point].indexOf(slab.heightAt(plan_.points[point]));
     };
-    const VertexLevels& za = levels_[strip.a];
-    const VertexLevels& zb = levels_[strip.b];
-    std::size_t i = level(strip.a, low);
-    std::size_t j = level(strip.b, low);
-    const std::size_t last_i = level(strip.a, high);
-    const std::size_t last_j = level(strip.b, high);
-    if (i > last_i || j > last_j)
-      fail("an opening or niche reaches beyond floor or ceiling, or over another",
-           placeText(points_[strip.a]));
-    while (i < last_i || j < last_j) {
-      const bool climb_b = i == last_i || (j < last_j && zb[j + 1] <= za[i + 1]);
-      const auto at_a = static_cast<std::uint32_t>(first_vertex_[strip.a] + i);
-      const auto at_b = static_cast<std::uint32_t>(first_vertex_[strip.b] + j);
-      scene_.addFace({at_a, at_b, climb_b ? at_b + 1 : at_a + 1}, strip.surface,
-                     strip.label, number_, strip.opening);
+    return {level(side.a), level(side.b)};
+  }
+
+  /** @brief Returns the higher one of two borders. */
+  Border higher(const Border& one, const Border& two, const PlanSide& side) const
+  {
+    if (!one.isAtMost(two) && !two.isAtMost(one))
+      fail("two parts of a floor or ceiling cross beside a riser",
+           placeText(plan_.points[side.a]));
+    return one.isAtMost(two) ? two : one;
+  }
+
+  void addStrip(const PlanSide& side,
+                const Border& low,
+                const Border& high,
+                const FaceLook& look)
+  {
+    const VertexLevels& za = levels_[side.a];
+    const VertexLevels& zb = levels_[side.b];
+    auto [i, j] = low;
+    while (i < high.a || j < high.b) {
+      const bool climb_b = i == high.a || (j < high.b && zb[j + 1] <= za[i + 1]);
+      const auto at_a = static_cast<std::uint32_t>(first_vertex_[side.a] + i);
+      const auto at_b = static_cast<std::uint32_t>(first_vertex_[side.b] + j);
+      scene_.addFace({at_a, at_b, climb_b ? at_b + 1 : at_a + 1}, look);
       ++(climb_b ? j : i);
     }
   }
@@ -297,27 +245,18 @@ private:
 
   const Room& room_;
   const std::uint32_t number_;
-  const std::vector<Opening>& openings_;
-  const RoomPlan& plan_;
+  const RoomCells plan_;
   SceneMesh& scene_;
-  std::vector<Vec2> points_; ///< those of the plan, then those of the niches' backs
-  std::vector<NicheFootprint> niches_;
   std::vector<VertexLevels> levels_;        ///< of each point
   std::vector<std::uint32_t> first_vertex_; ///< of each point, at its lowest level
 };
 
 } // namespace
 
-RoomPlan
-addRoom(const Room& room,
-        std::uint32_t number,
-        const std::vector<Opening>& openings,
-        const std::vector<Loop>& floor_voids,
-        SceneMesh& scene)
+void
+addRoom(const Scene& scene, std::size_t index, SceneMesh& mesh)
 {
-  RoomPlan plan = planOf(room, openings, floor_voids);
-  RoomMesher(room, number, openings, plan, scene).run();
-  return plan;
+  RoomMesher(scene, index, mesh).run();
 }
 
 } // namespace pcl::sedr::sim

@@ -21,6 +21,14 @@ enum class Surface : std::uint8_t {
   Pane       ///< of a window
 };
 
+/** @brief What a face of a scene is. */
+struct FaceLook {
+  Surface surface = Surface::Object;
+  Label label = Label::Other;
+  std::uint32_t room = 0;    ///< 0: none
+  std::uint32_t opening = 0; ///< number of the opening, of gaps and panes
+};
+
 /** @brief The pane of an opening. */
 struct Pane {
   Glazing glazing;
@@ -38,17 +46,14 @@ struct SceneMesh {
   std::vector<Pane> panes;       ///< by the number of their opening, less 1
 
   std::uint32_t addVertex(const Vec3& position);
-  void addFace(const Triangle& corners,
-               Surface surface,
-               Label label = Label::Other,
-               std::uint32_t room = 0,
-               std::uint32_t opening = 0);
+  void addFace(const Triangle& corners, const FaceLook& look);
 };
 
 /** @brief Returns everything in the scene that a ray can hit, and the gaps.
  * @throw std::invalid_argument if the scene cannot be built: openings that lie on no
- * wall, a ceiling below its floor, parts that cross in a line between their edges or
- * touch in a single point */
+ * wall, a ceiling below its floor, rooms that overlap, openings, niches or voids that
+ * reach into other rooms, parts that cross in a line between their edges or touch in a
+ * single point */
 SceneMesh meshOf(const Scene& scene);
 
 /** @brief Returns structure and gaps of a mesh: the truth. */

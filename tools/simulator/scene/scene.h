@@ -107,11 +107,8 @@ locate(const Element& element, const Vec2& point, double tolerance = kSamePoint)
  * places. */
 std::vector<double> chordEnds(const Element& element, std::vector<double> cuts = {});
 
-/** @brief Returns distances along an element every few centimetres, with both ends. */
-std::vector<double> stepsAlong(const Element& element);
-
-/** @brief Returns points every few centimetres, @p inwards metres left of a loop. */
-std::vector<Vec2> samplesAlong(const Loop& loop, double inwards = 0.0);
+/** @brief Returns the ends of the chords; the outermost are exactly the element's. */
+std::vector<Vec2> chordPoints(const Element& element, std::vector<double> cuts = {});
 
 /** @brief Returns a point just inside a loop that runs in either direction. */
 Vec2 pointInside(const Loop& loop);
@@ -168,7 +165,7 @@ struct Opening : WallGap {
   std::optional<Leaf> leaf = std::nullopt;
   double rise = 0.0;  ///< of an arched head, half of an ellipse; 0: flat
   double blind = 0.0; ///< share of its height that a blind covers, from the head down
-  std::uint32_t number = 0; ///< in the scene, from 1: see openingsByRoom()
+  std::uint32_t number = 0; ///< in the scene, from 1
 
   /** @brief Returns true if a leaf shuts it. */
   bool isShut() const { return leaf && leaf->angle == 0.0; }
@@ -187,9 +184,6 @@ struct CeilingVoid {
  * Parts of ceiling and floor are independent of each other. What reaches out of the
  * room is cut off. */
 struct Room : PlanRoom {
-  Loop foot; ///< boundary at the floor, with its tilts; empty without: see tiltWalls()
-  std::size_t ceiling_walls = 0; ///< the last details that are tilted walls, from above
-  std::size_t floor_walls = 0;   ///< likewise, from below
   std::vector<Opening> openings;
   std::vector<WallGap> wall_niches; ///< with back, sides, bottom and lid
   std::vector<CeilingVoid> voids;
@@ -264,21 +258,34 @@ placed(const Placement& placement, Loop loop)
   return loop;
 }
 
+/** @brief Returns the number of the room around @p point in the plan, from 1; 0: none.
+ *
+ * If rooms lie above each other, the one nearest in height is returned. */
+std::uint32_t roomAt(const Scene& scene, const Vec3& point);
+
+/** @brief Returns the place of an element of a list, as in "rooms[2]". */
+std::string placeOf(const std::string& list, std::size_t index);
+
+/** @brief Returns the part of a wall's face that a gap cuts. */
+Element faceOf(const Room& room, const WallGap& gap);
+
+/** @brief Returns the far side of an opening: a part of the wall of the room that it
+ * leads to, which runs as that wall does.
+ * @throw std::invalid_argument if that room has no wall there */
+Element backOf(const Scene& scene, const Room& room, const Opening& opening);
+
+/** @brief Returns the holes in every room's floor: voids that lead to it from below. */
+std::vector<std::vector<Loop>> floorVoidsOf(const Scene& scene);
+
 /** @brief A scene file that is part of the simulator's library. */
 struct BuiltInScene {
   std::string name;
   std::string text; ///< of its file: see parseScene()
 };
 
-/** @brief Returns the text of a scene file. */
-std::string readSceneText(const std::filesystem::path& path);
-
 /** @brief Parses a scene and checks that it is physically possible.
  *
- * Every room can be meshed: see meshOf(). Rooms do not overlap, and openings and niches
- * do not reach into other rooms. Voids lie within one part of a ceiling and of the
- * floor above it. Scanners are in a room and in no object. Outlines are sampled every
- * few centimetres.
+ * Every room can be meshed: see meshOf(). Scanners are in a room and in no object.
  * @param source the name of the text in messages
  * @throw std::invalid_argument with a sentence about the first fault, which begins with
  * its place, as in "rooms[2].openings[0]" */

@@ -4,13 +4,13 @@
 #include "bytes/whole_file.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "simulator/scene/file/furniture.h"
-#include "simulator/scene/queries.h"
 
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace pcl::sedr::sim {
@@ -23,13 +23,13 @@ constexpr double kWindowSill = 0.3;       ///< metres above the floors
 constexpr double kDoorWidth = 1.3;        ///< metres, of the widest door
 constexpr double kAjar = 60.0 * pi / 180; ///< widest angle of a door that is ajar
 constexpr double kTallestStep = 0.4;
+constexpr double kStoreyStep = 1.5;
 
-/** @brief Returns a point in the room in front of the middle of an opening. */
+/** @brief Returns a point in front of the middle of a part of a wall. */
 Vec2
-placeBefore(const Room& room, const Opening& opening)
+placeBefore(const Element& wall)
 {
-  return pointBeside(room.boundary.elements[opening.wall],
-                     0.5 * (opening.from + opening.to), -1e-3);
+  return pointBeside(wall, 0.5 * wall.length(), -1e-3);
 }
 
 Json
@@ -50,15 +50,15 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
 {
   const Room& here = scene.rooms[room];
   const Opening& near = here.openings[index];
-  double floor = here.floorAt(placeBefore(here, near));
-  double ceiling = here.ceilingAt(placeBefore(here, near));
+  const Element face = faceOf(here, near);
+  double floor = here.floorAt(placeBefore(face));
+  double ceiling = here.ceilingAt(placeBefore(face));
   if (near.leads_to) {
     const Room& there = scene.rooms[*near.leads_to];
-    const Vec2 behind = placeBefore(there, otherSideOf(scene, room, index));
+    const Vec2 behind = placeBefore(backOf(scene, here, near));
     floor = std::max(floor, there.floorAt(behind));
     ceiling = std::min(ceiling, there.ceilingAt(behind));
   }
-  const Element face = faceOf(here, near);
   const double width = near.to - near.from;
   const bool is_pane = near.glazing && !near.leaf;
   Json json{{"kind", is_pane || near.sill >= floor + kWindowSill ? "window"
@@ -159,8 +159,9 @@ enclosedBy(const TriangleMesh& mesh, const Room& room, std::uint32_t number)
     const double area = 0.5 * mesh.scaledNormal(t).z();
     const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
     sum.volume += area * middle.z();
-    if (area == 0.0 || !room.boundary.contains(plan(middle)))
-      continue;
+    const bool is_detail = mesh.labels[t] == static_cast<std::uint32_t>(Label::Detail);
+    if (area == 0.0 || (is_detail && !room.boundary.contains(plan(middle))))
+      continue; // the last are of niches
     sum.in_plan += area * middle.z();
     if (area > 0.0) {
       sum.area += area;
@@ -179,12 +180,42 @@ loopsToJson(const Placement& placement, const std::vector<Loop>& loops)
   return list;
 }
 
+/** @brief Returns the number of every room's storey; the lowest is 1.
+ *
+ * A number in the scene takes precedence. Other rooms go by their floors: a storey ends
+ * where the next higher floor is 1.5 m or more above it. If the scene numbers only some
+ * rooms, the others get the number of the room nearest in height. */
+std::vector<std::size_t>
+storeysOf(const Scene& scene)
+{
+  const auto& rooms = scene.rooms;
+  std::vector<double> floors;
+  for (const Room& room : rooms)
+    floors.push_back(room.floor.heightAt(pointInside(room.boundary)));
+  std::vector<double> ascending = floors;
+  std::sort(ascending.begin(), ascending.end());
+  std::vector<std::size_t> storeys(rooms.size(), 1);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    for (std::size_t k = 1; k < floors.size() && ascending[k] <= floors[i]; ++k)
+      storeys[i] += ascending[k] - ascending[k - 1] >= kStoreyStep ? 1 : 0;
+    double nearest = std::numeric_limits<double>::infinity(); // of numbered rooms
+    for (std::size_t k = 0; k < rooms.size(); ++k)
+      if (const double apart = std::abs(floors[k] - floors[i]);
+          rooms[k].storey && apart < nearest) {
+        nearest = apart;
+        storeys[i] = *rooms[k].storey;
+      }
+    storeys[i] = rooms[i].storey.value_or(storeys[i]);
+  }
+  return storeys;
+}
+
 Json
 roomToJson(const Scene& scene, std::size_t index, const TriangleMesh& truth)
 {
   const Room& room = scene.rooms[index];
   const auto number = static_cast<std::uint32_t>(index + 1);
-  const Loop& outline = room.foot.elements.empty() ? room.boundary : room.foot;
+  const Loop& outline = room.boundary;
   double area = outline.area();
   double column_perimeter = 0.0;
   for (const Loop& column : room.columns) {

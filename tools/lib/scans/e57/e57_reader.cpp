@@ -48,36 +48,34 @@ colourByte(double value, const std::pair<double, double>& limits)
                         : std::uint8_t{0};
 }
 
-/** @brief Returns the number of each role's field, -1 for none. */
-std::vector<int>
+/** @brief Returns the field of each role, null for none. */
+std::vector<const E57Field*>
 fieldsOf(const E57Scan& scan)
 {
   const auto find = [&](const std::string& name) {
-    const int field = scan.find(name);
-    const bool is_read =
-        field >= 0 &&
-        scan.fields[static_cast<std::size_t>(field)].kind != E57Field::Kind::Other;
-    return is_read ? field : -1;
+    const E57Field* const field = scan.find(name);
+    return field && field->kind != E57Field::Kind::Other ? field : nullptr;
   };
   const auto findAll = [&](const std::string& kind, const char* const(&names)[3]) {
-    std::vector<int> all;
+    std::vector<const E57Field*> all;
     for (const char* name : names)
       all.push_back(find(kind + name));
-    if (std::find(all.begin(), all.end(), -1) != all.end())
-      all.assign(3, -1);
+    if (std::find(all.begin(), all.end(), nullptr) != all.end())
+      all.assign(3, nullptr);
     return all;
   };
   const char* kind = "cartesian";
-  std::vector<int> fields = findAll(kind, {"X", "Y", "Z"});
-  if (fields[E57Points::X] < 0) {
+  std::vector<const E57Field*> fields = findAll(kind, {"X", "Y", "Z"});
+  if (!fields[E57Points::X]) {
     kind = "spherical";
     fields = findAll(kind, {"Range", "Azimuth", "Elevation"});
   }
-  if (fields[E57Points::X] < 0)
+  if (!fields[E57Points::X])
     throw ToolError("its points have neither cartesian nor spherical coordinates");
   fields.push_back(find(std::string(kind) + "InvalidState"));
   fields.push_back(find("intensity"));
-  const std::vector<int> colour = findAll("color", {"Blue", "Green", "Red"});
+  const std::vector<const E57Field*> colour =
+      findAll("color", {"Blue", "Green", "Red"});
   fields.insert(fields.end(), colour.begin(), colour.end());
   return fields;
 }
@@ -236,7 +234,7 @@ E57Points::E57Points(const E57Pages& pages, const E57Scan& of, std::size_t first
     : scan(of)
     , begin(first_row)
     , end(first_row + of.points)
-    , fields(fieldsOf(of))
+    , fields(fieldsOf(scan))
     , streams(pages, scan, fields)
 {}
 

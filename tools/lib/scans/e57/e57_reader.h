@@ -80,8 +80,8 @@ struct E57Scan {
   /// Minimum and maximum of red, green and blue; 0, 0 if unknown.
   std::vector<std::pair<double, double>> colour_limits;
 
-  /** @brief Returns the number of the field called `name`, -1 if there is none. */
-  int find(const std::string& name) const;
+  /** @brief Returns the field called `name`, null if there is none. */
+  const E57Field* find(const std::string& name) const;
 
   /** @brief Returns "scan 2 ('kitchen')". */
   std::string title() const;
@@ -115,10 +115,10 @@ struct E57Values {
  * before them. Throws ToolError with a reason on failure. */
 class E57Streams {
 public:
-  /** @param fields numbers of the fields to read; -1 for none */
+  /** @param fields those of the scan to read; null for none */
   E57Streams(const E57Pages& pages,
              const E57Scan& scan,
-             const std::vector<int>& fields);
+             const std::vector<const E57Field*>& fields);
 
   /** @brief Returns the values of the points [begin, end) for each field, in their
    * order; thread-safe. */
@@ -144,8 +144,7 @@ private:
   const E57Pages& pages_;
   const E57Scan& scan_;
   std::vector<const E57Field*> fields_; ///< null for none
-  std::vector<int> numbers_;
-  std::uint64_t begin_ = 0; ///< of the packets, logical
+  std::uint64_t begin_ = 0;             ///< of the packets, logical
   std::uint64_t end_ = 0;
   std::vector<std::vector<Piece>> pieces_; ///< by field; the last one at the end
 };
@@ -160,7 +159,7 @@ struct E57Points {
   /** @param first_row number of its first point in the whole file */
   E57Points(const E57Pages& pages, const E57Scan& scan, std::size_t first_row);
 
-  bool has(Role role) const { return fields[role] >= 0; }
+  bool has(Role role) const { return fields[role] != nullptr; }
 
   /** @brief Decodes `size` points from `first` on into rows of a layout: x, y and z,
    * doubles, then others; what the scan does not have stays as it is. */
@@ -170,9 +169,9 @@ struct E57Points {
             std::uint8_t* rows) const;
 
   E57Scan scan;
-  std::size_t begin;       ///< number of its first point in the whole file
-  std::size_t end;         ///< number behind its last one
-  std::vector<int> fields; ///< number of each role's field, -1: none
+  std::size_t begin;                   ///< number of its first point in the whole file
+  std::size_t end;                     ///< number behind its last one
+  std::vector<const E57Field*> fields; ///< of each role, null: none
   E57Streams streams;
 };
 

@@ -228,13 +228,11 @@ readColourLimits(const Tree& node, E57Scan& scan)
   for (const std::string name : {"colorRed", "colorGreen", "colorBlue"}) {
     std::pair<double, double> range{realAt(node, "colorLimits." + name + "Minimum"),
                                     realAt(node, "colorLimits." + name + "Maximum")};
-    const int field = scan.find(name);
-    if (field >= 0 && !(range.second > range.first)) {
-      constexpr double deepest = 65535; // wider ranges are those of the type
-      const E57Field& f = scan.fields[static_cast<std::size_t>(field)];
-      if (f.low >= 0 && f.high <= deepest)
-        range = {f.low, f.high};
-    }
+    constexpr double deepest = 65535; // wider ranges are those of the type
+    const E57Field* const field = scan.find(name);
+    if (field && !(range.second > range.first) && field->low >= 0 &&
+        field->high <= deepest)
+      range = {field->low, field->high};
     scan.colour_limits.push_back(range);
   }
 }
@@ -260,13 +258,12 @@ readScan(const Tree& node, const E57Pages& pages, E57Scan& scan)
 
 } // namespace
 
-int
+const E57Field*
 E57Scan::find(const std::string& wanted) const
 {
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    if (fields[i].name == wanted)
-      return static_cast<int>(i);
-  return -1;
+  const auto field = std::find_if(fields.begin(), fields.end(),
+                                  [&](const auto& one) { return one.name == wanted; });
+  return field == fields.end() ? nullptr : &*field;
 }
 
 std::string

@@ -86,15 +86,12 @@ E57Values::read(std::size_t first, std::size_t size, double* values) const
 
 E57Streams::E57Streams(const E57Pages& pages,
                        const E57Scan& scan,
-                       const std::vector<int>& fields)
+                       const std::vector<const E57Field*>& fields)
     : pages_(pages)
     , scan_(scan)
-    , numbers_(fields)
+    , fields_(fields)
     , pieces_(fields.size())
 {
-  for (const int number : fields)
-    fields_.push_back(number < 0 ? nullptr
-                                 : &scan.fields[static_cast<std::size_t>(number)]);
   std::uint8_t head[section_head];
   pages.read(scan.section, section_head, head);
   const auto size = valueAt<std::uint64_t>(head + 8);
@@ -144,8 +141,8 @@ E57Streams::addPieces(std::uint64_t packet, std::size_t size, std::size_t stream
   if (is_complete)
     pages_.read(packet + packet_head, 2 * streams, lengths.data());
   for (std::size_t s = 0; s < streams && is_complete; begin += lengths[s++])
-    for (std::size_t f = 0; f < numbers_.size(); ++f)
-      if (numbers_[f] == static_cast<int>(s)) {
+    for (std::size_t f = 0; f < fields_.size(); ++f)
+      if (fields_[f] == &scan_.fields[s]) {
         pieces_[f].back().place = packet + begin;
         pieces_[f].push_back({0, pieces_[f].back().first + lengths[s]});
       }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
-#include "simulator/scene/queries.h"
 
 #include <algorithm>
 #include <functional>
@@ -215,8 +214,21 @@ constexpr int kDeepestGroup = 4;
 constexpr double kGap = 0.02; ///< metres between furniture and the wall behind it
 constexpr std::size_t kLongestRow = 1000;
 
-/** @brief Reads a list of objects in a room, or outside; groups read their own lists in
- * their own frame. */
+/** @brief The frame of a group, in that of the scene. */
+struct Frame {
+  Vec2 origin = Vec2::Zero();
+  double yaw = 0.0; ///< radians
+  int depth = 0;    ///< of groups; those in one cannot refer to walls
+
+  Vec2 place(const Vec2& point) const { return origin + rotated(point, yaw); }
+
+  double yawIn(const JsonView& view, const std::string& key = "yaw") const
+  {
+    return yaw + view.numberOr(key, 0.0) * pi / 180.0;
+  }
+};
+
+/** @brief Reads lists of objects in a room, or outside. */
 class ObjectReader {
 public:
   /** @param room null for the outside */
@@ -225,17 +237,17 @@ public:
       , objects_(objects)
   {}
 
-  void readList(const std::vector<JsonView>& list)
+  void readList(const std::vector<JsonView>& list, const Frame& frame)
   {
     for (const JsonView& item : list) {
       const auto [name, view] = item.single();
       const auto kind = furnitureKinds().find(name);
       if (name == "group")
-        readGroup(view);
+        readGroup(view, frame);
       else if (name == "object")
-        readObject(view);
+        readObject(view, frame);
       else if (kind != furnitureKinds().end() && (room_ || !kind->second.is_indoors))
-        readKind(kind->second, view);
+        readKind(kind->second, view, frame);
       else
         item.fail("is of unknown kind \"" + name + "\"; known are " + knownKinds());
     }
@@ -256,49 +268,41 @@ private:
     parts_ += object.parts.size();
     if (parts_ > kMostParts)
       view.fail("makes more than " + std::to_string(kMostParts) + " parts");
+    if (const auto name = view.find("name"))
+      object.name = name->text();
     objects_.push_back(std::move(object));
   }
 
-  void readKind(const Kind& kind, const JsonView& view)
+  void readKind(const Kind& kind, const JsonView& view, const Frame& frame)
   {
-    const auto name = view.find("name");
-    for (const Spot& spot : spotsOf(kind, view)) {
-      Assembly assembly(name ? name->text() : kind.name, spot);
+    const auto addAt = [&](const Vec2& place, double yaw, double z) {
+      Assembly assembly(kind.name, {place, yaw, z});
       kind.build(view, assembly);
       add(view, std::move(assembly.object));
-    }
-  }
-
-  /** @brief Returns where objects of a kind are: one place, or a row at a wall. */
-  std::vector<Spot> spotsOf(const Kind& kind, const JsonView& view) const
-  {
-    if (kind.standing == Standing::OnFloor && room_ && !is_group_ &&
-        view.find("wall")) {
-      Assembly sample(kind.name, {});
-      kind.build(view, sample);
-      return spotsAtWall(view, sample.footprint());
-    }
+    };
+    if (kind.standing == Standing::OnFloor && room_ && frame.depth == 0 &&
+        view.find("wall"))
+      return readRow(kind, view, addAt);
     const bool is_hinged = kind.standing == Standing::Hinged;
-    const Vec2 place = toScene(view.at(is_hinged ? "hinge" : "at").point2());
-    return {{place, yawOf(view, is_hinged ? "direction" : "yaw"),
-             kind.standing == Standing::BelowCeiling ? ceilingAt(view, place)
-                                                     : floorAt(view, place)}};
+    const Vec2 place = frame.place(view.at(is_hinged ? "hinge" : "at").point2());
+    addAt(place, frame.yawIn(view, is_hinged ? "direction" : "yaw"),
+          heightAt(view, place, kind.standing == Standing::BelowCeiling));
   }
 
-  /** @param footprint width and depth of an object */
-  std::vector<Spot> spotsAtWall(const JsonView& view, const Vec2& footprint) const
+  /** @brief Adds an object at a wall, or a row of them. */
+  template <typename AddAt>
+  void readRow(const Kind& kind, const JsonView& view, const AddAt& addAt) const
   {
+    Assembly sample(kind.name, {});
+    kind.build(view, sample);
+    const Vec2 footprint = sample.footprint();
     const auto& walls = room_->boundary.elements;
     const Element& wall = walls[view.at("wall").count(0, walls.size() - 1)];
     const double behind = view.numberOr("gap", kGap, 0.0, 100.0);
     const double first = view.at("s").number();
-    std::size_t count = 1;
-    double between = 0.0; // objects of a row
-    if (const auto row = view.find("row")) {
-      count = row->at("count").count(1, kLongestRow);
-      between = row->at("gap").number(0.0, 100.0);
-    }
-    std::vector<Spot> spots;
+    const auto row = view.find("row");
+    const std::size_t count = row ? row->at("count").count(1, kLongestRow) : 1;
+    const double between = row ? row->at("gap").number(0.0, 100.0) : 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double s = first + static_cast<double>(i) * (footprint.x() + between);
       double clearance = behind; // on a curved wall the corners keep clear
@@ -308,44 +312,26 @@ private:
             reach - std::sqrt(reach * reach - 0.25 * footprint.x() * footprint.x());
       }
       const Vec2 center = pointBeside(wall, s, -clearance - 0.5 * footprint.y());
-      const double yaw = directionOf(-wall.normalAt(s)) - 0.5 * pi;
-      spots.push_back({center, yaw, floorAt(view, center)});
+      addAt(center, directionOf(-wall.normalAt(s)) - 0.5 * pi,
+            heightAt(view, center, false));
     }
-    return spots;
   }
 
-  double floorAt(const JsonView& view, const Vec2& point) const
+  /** @brief Returns z of the feet of an object, or of the ceiling above it. */
+  double heightAt(const JsonView& view, const Vec2& place, bool of_ceiling) const
   {
     if (!room_)
       return view.numberOr("floor", 0.0);
-    requireWithin(view, point);
-    return room_->floorAt(point) + view.numberOr("raise", 0.0);
-  }
-
-  double ceilingAt(const JsonView& view, const Vec2& point) const
-  {
-    requireWithin(view, point);
-    return room_->ceilingAt(point);
-  }
-
-  void requireWithin(const JsonView& view, const Vec2& point) const
-  {
-    if (!room_->contains(point))
+    if (!room_->contains(place))
       view.fail("is not within its room");
-  }
-
-  Vec2 toScene(const Vec2& point) const { return origin_ + rotated(point, yaw_); }
-
-  double yawOf(const JsonView& view, const std::string& key = "yaw") const
-  {
-    return yaw_ + view.numberOr(key, 0.0) * pi / 180.0;
+    return of_ceiling ? room_->ceilingAt(place)
+                      : room_->floorAt(place) + view.numberOr("raise", 0.0);
   }
 
   /** @brief Reads single boxes and cylinders; z is that of the scene. */
-  void readObject(const JsonView& view)
+  void readObject(const JsonView& view, const Frame& frame)
   {
-    const auto name = view.find("name");
-    Assembly assembly(name ? name->text() : "object", {origin_, yaw_, 0.0});
+    Assembly assembly("object", {frame.origin, frame.yaw, 0.0});
     for (const JsonView& box : view.itemsOf("boxes"))
       assembly.addBox(box.at("center").point3(), box.at("size").size3(),
                       box.numberOr("yaw", 0.0) * pi / 180.0);
@@ -358,33 +344,22 @@ private:
   }
 
   /** @brief Reads objects repeated at several places, each [x, y] or [x, y, yaw]. */
-  void readGroup(const JsonView& view)
+  void readGroup(const JsonView& view, const Frame& frame)
   {
-    if (depth_ == kDeepestGroup)
+    if (frame.depth == kDeepestGroup)
       view.fail("is a group too deep within groups");
     const auto list = view.at("objects").items(1);
-    const ObjectReader outer = *this;
-    is_group_ = true;
-    ++depth_;
     for (const JsonView& place : view.at("places").items(1)) {
       const bool is_turned = place.items().size() == 3;
-      origin_ = outer.toScene(is_turned ? plan(place.point3()) : place.point2());
-      yaw_ = outer.yaw_ + (is_turned ? place.point3().z() * pi / 180.0 : 0.0);
-      readList(list);
+      const Vec2 at = is_turned ? plan(place.point3()) : place.point2();
+      const double yaw = is_turned ? place.point3().z() * pi / 180.0 : 0.0;
+      readList(list, {frame.place(at), frame.yaw + yaw, frame.depth + 1});
     }
-    origin_ = outer.origin_;
-    yaw_ = outer.yaw_;
-    is_group_ = outer.is_group_;
-    --depth_;
   }
 
   const Room* room_;
   std::vector<Object>& objects_;
   std::size_t parts_ = 0;
-  Vec2 origin_ = Vec2::Zero(); ///< of the group's frame
-  double yaw_ = 0.0;           ///< of the group's frame, radians
-  bool is_group_ = false;      ///< whose objects cannot refer to walls
-  int depth_ = 0;
 };
 
 } // namespace
@@ -393,7 +368,7 @@ std::vector<Object>
 readObjects(const std::vector<JsonView>& list, const Room* room)
 {
   std::vector<Object> objects;
-  ObjectReader(room, objects).readList(list);
+  ObjectReader(room, objects).readList(list, {});
   return objects;
 }
 

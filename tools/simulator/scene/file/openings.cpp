@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
 
-#include "simulator/scene/queries.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -170,6 +168,13 @@ readGap(const JsonView& view, const Room& room)
   gap.sill = view.numberOr("sill", floorAlong(room, gap));
   gap.head = view.at("head").number();
   gap.depth = view.at("depth").size();
+  const Element& wall = room.boundary.elements[gap.wall];
+  if (!(gap.from >= 0.0 && gap.from < gap.to && gap.to <= wall.length()))
+    view.fail("does not lie within its wall");
+  if (wall.tilt != 0.0)
+    view.fail("is in a tilted wall");
+  if (!(gap.sill < gap.head))
+    view.fail("has no height");
   return gap;
 }
 
@@ -178,6 +183,9 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
 {
   Room& room = scene.rooms[room_index];
   Opening opening{readGap(view, room)};
+  for (const Room& other : scene.rooms)
+    opening.number += static_cast<std::uint32_t>(other.openings.size());
+  ++opening.number;
   if (const auto target = view.find("leads_to"))
     opening.leads_to = roomNamed(*target, scene);
   if (const auto glazing = view.find("glazing"))

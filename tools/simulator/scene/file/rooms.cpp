@@ -126,71 +126,101 @@ readDetail(const JsonView& view,
                  : raised(whole.slab, upwards * distance->number())};
 }
 
-RibFamily
-readRibFamily(const JsonView& view)
-{
-  RibFamily family{view.at("direction").angle(), view.at("spacing").number(kNarrowest),
-                   view.at("width").size(), view.at("depth").size()};
-  if (!(family.width < family.spacing))
-    view.at("width").fail("is not less than the spacing of the ribs");
-  if (const auto first = view.find("first"))
-    family.first = first->number();
-  return family;
-}
-
-/** @brief Adds the ribs of a ceiling to its details. */
+/** @brief Adds parallel ribs below a ceiling to its details.
+ *
+ * They extend over the bounds of the room: walls cut them, and so do details that come
+ * after them in the room's list, as beams cut joists. A rib that would cross the wall
+ * beside it at either end of the room is left out. */
 void
 readRibs(const JsonView& view, Room& room)
 {
-  const RibFamily family = readRibFamily(view);
-  for (const Element& wall : room.boundary.elements)
-    if (wall.isArc())
-      view.fail("needs a room with straight walls");
-  std::vector<PlanDetail> ribs = ribsOf(room, family);
-  if (ribs.size() > kMostRibs)
-    view.fail("makes more than " + std::to_string(kMostRibs) + " ribs");
-  std::move(ribs.begin(), ribs.end(), std::back_inserter(room.details));
+  const double spacing = view.at("spacing").number(kNarrowest);
+  const double width = view.at("width").size();
+  if (!(width < spacing))
+    view.at("width").fail("is not less than the spacing of the ribs");
+  const Slab underside = raised(room.ceiling, -view.at("depth").size());
+  const Vec2 along = rotated({1.0, 0.0}, view.at("direction").angle());
+  const Vec2 across = leftOf(along);
+  Box2 bounds; // along and across
+  for (const Vec2& place : room.boundary.polygon(kCurveTolerance))
+    bounds.extend(Vec2(place.dot(along), place.dot(across)));
+  const Vec2 start = bounds.min().x() * along;
+  const Vec2 end = bounds.max().x() * along;
+  // To the middle of the first rib, from the room's right end, seen along the ribs.
+  const double first = view.numberOr("first", 0.5 * spacing);
+  const std::size_t before = room.details.size();
+  for (double low = bounds.min().y() + first - 0.5 * width;
+       low + width <= bounds.max().y() + kSamePoint; low += spacing) {
+    const Vec2 right = low * across;
+    const Vec2 left = (low + width) * across;
+    if (low >= bounds.min().y() - kSamePoint)
+      room.details.push_back(
+          {loopOf({start + right, end + right, end + left, start + left}),
+           {},
+           underside});
+    if (room.details.size() - before > kMostRibs)
+      view.fail("makes more than " + std::to_string(kMostRibs) + " ribs");
+  }
 }
 
-Dome
+/** @brief Reads a cap of a sphere, or of an ellipsoid with a vertical axis. */
+PlanDetail
 readDome(const JsonView& view)
 {
-  Dome dome{view.at("at").point2(), view.at("height").number(),
-            view.at("radius").size(), view.at("rim").size()};
-  if (dome.rim > dome.radius)
+  const double radius = view.at("radius").size();
+  const double rim = view.at("rim").size();
+  if (rim > radius)
     view.at("rim").fail("is more than the radius of the dome");
-  dome.direction = view.numberOr("direction", 0.0) * pi / 180.0;
-  if (const auto scale = view.find("scale")) { // makes an ellipsoid of the sphere
-    const Vec3 factors = scale->size3();
+  Vec3 factors = Vec3::Ones(); // along, across, up
+  if (const auto scale = view.find("scale")) {
+    factors = scale->size3();
     if (factors.maxCoeff() > 1.0)
       scale->fail("must not be more than 1");
-    dome.along = factors.x();
-    dome.across = factors.y();
-    dome.up = factors.z();
   }
-  return dome;
+  SlabCurve curve;
+  curve.kind = CurveKind::Ellipsoid;
+  curve.centre = view.at("at").point2();
+  curve.base = view.at("height").number();
+  curve.setDirection(view.numberOr("direction", 0.0) * pi / 180.0);
+  curve.along = factors.x() * edgeRadius(radius);
+  curve.across = factors.y() * edgeRadius(radius);
+  curve.up = factors.z() * edgeRadius(radius);
+  PlanDetail part;
+  part.boundary = rimOf(curve, rim / edgeRadius(radius));
+  part.slab.curve = std::make_shared<const SlabCurve>(curve);
+  return part;
+}
+
+/** @brief Reads a barrel vault, or a segment of one. */
+PlanDetail
+readVault(const JsonView& view, const Loop& loop)
+{
+  const double radius = view.at("radius").size();
+  SlabCurve curve;
+  curve.centre = view.at("at").point2();
+  curve.base = view.at("height").number();
+  curve.setDirection(view.at("direction").angle());
+  curve.across = curve.up = edgeRadius(radius);
+  for (const Vec2& place : loop.polygon(kCurveTolerance))
+    if (std::abs(leftOf(curve.axis).dot(place - curve.centre)) > radius + kSamePoint)
+      view.fail("does not reach the sides of its loop");
+  PlanDetail part;
+  part.boundary = loop;
+  part.slab.curve = std::make_shared<const SlabCurve>(curve);
+  return part;
 }
 
 /** @brief Reads a part of a ceiling that is not level: a slope, a vault or a dome. */
-std::vector<PlanDetail>
-readFacets(const JsonView& view, const GivenSlab& ceiling)
+PlanDetail
+readFacet(const JsonView& view, const GivenSlab& ceiling)
 {
-  if (const auto dome = view.find("dome"))
-    return facetsOf(readDome(*dome));
+  const auto dome = view.find("dome");
   const auto vault = view.find("vault");
-  if (!vault) {
-    PlanDetail slope = readDetail(view, ceiling, "drop", -1);
-    slope.is_facet = true;
-    return {slope};
-  }
-  const Vault barrel{vault->at("at").point2(), vault->at("direction").angle(),
-                     vault->at("height").number(), vault->at("radius").size()};
-  try {
-    return facetsOf(barrel, readLoop(view.at("loop")));
-  }
-  catch (const std::invalid_argument& error) {
-    view.fail(std::string("cannot be built: ") + error.what());
-  }
+  PlanDetail part = dome    ? readDome(*dome)
+                    : vault ? readVault(*vault, readLoop(view.at("loop")))
+                            : readDetail(view, ceiling, "drop", -1);
+  part.is_facet = true;
+  return part;
 }
 
 /** @brief Reads a hole in a ceiling; the names of all rooms must be known. */
@@ -221,8 +251,7 @@ readShell(const JsonView& view)
     room.storey = storey->count(1, kMostStoreys);
   room.plenum = view.numberOr("plenum", 0.0, JsonView::kSmallest);
   for (const JsonView& facet : view.itemsOf("facets"))
-    for (PlanDetail& part : readFacets(facet, ceiling))
-      room.details.push_back(std::move(part));
+    room.details.push_back(readFacet(facet, ceiling));
   for (const JsonView& ribs : view.itemsOf("ribs"))
     readRibs(ribs, room);
   for (const JsonView& detail : view.itemsOf("floor_details"))
@@ -231,25 +260,13 @@ readShell(const JsonView& view)
     room.details.push_back(readDetail(detail, ceiling, "drop", -1));
   for (const JsonView& column : view.itemsOf("columns"))
     room.columns.push_back(readLoop(column));
+  auto& walls = room.boundary.elements;
+  for (const JsonView& tilt : view.itemsOf("tilts"))
+    walls[tilt.at("wall").count(0, walls.size() - 1)].tilt =
+        tilt.at("tilt").angle(-kMostTilt, kMostTilt);
   for (const JsonView& niche : view.itemsOf("niches"))
     room.wall_niches.push_back(readGap(niche, room));
   return room;
-}
-
-/** @brief Tilts walls; the objects at them are placed before. */
-void
-readTilts(const JsonView& view, Room& room)
-{
-  auto& walls = room.boundary.elements;
-  for (const JsonView& item : view.itemsOf("tilts"))
-    walls[item.at("wall").count(0, walls.size() - 1)].tilt =
-        item.at("tilt").angle(-kMostTilt, kMostTilt);
-  try {
-    tiltWalls(room);
-  }
-  catch (const std::invalid_argument& error) {
-    view.at("tilts").fail(std::string("cannot be built: ") + error.what());
-  }
 }
 
 } // namespace
@@ -275,8 +292,6 @@ readRooms(const JsonView& list, Scene& scene)
     for (Object& object : readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]))
       scene.furniture.push_back(std::move(object));
   }
-  for (std::size_t i = 0; i < views.size(); ++i)
-    readTilts(views[i], scene.rooms[i]);
 }
 
 } // namespace pcl::sedr::sim
