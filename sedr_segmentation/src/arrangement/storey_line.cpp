@@ -108,15 +108,19 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
     return dilated(cells, 1.5); // cells: also across corners
   };
   std::vector<Eigen::Vector2d> parts;
+  std::vector<Eigen::Vector2d> bodies;
   for (const std::size_t r : storey.storey.rooms) {
     const RoomCells& room = storey.cells[r];
     wall_rooms_.resize(wall_rooms_.size() + room.wall_points.size(),
                        static_cast<std::uint32_t>(r));
     parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
+    bodies.insert(bodies.end(), room.body_points.begin(), room.body_points.end());
+    levels_.insert(levels_.end(), room.body_levels.begin(), room.body_levels.end());
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
   parts_ = PlanPoints(parts, 2 * StoreyLine::bin);
+  bodies_ = PlanPoints(bodies, 2 * StoreyLine::bin);
 }
 
 bool
@@ -186,11 +190,31 @@ LineEvidence::observe(StoreyLine& line) const
     if (line.any[i] > 0 && (i + 1 == bins || !(line.any[i + 1] > 0)))
       line.edges.push_back(ends[i].second + StoreyLine::bin / 2);
   }
+  findHeights(line);
   line.tall = line.any;
   for (std::size_t i = 0; i < bins; ++i)
     if (line.tall[i] > 0 && !isIn(opaque_, cellAt(line, i)))
       line.tall[i] = 0;
   clean(line.tall);
+}
+
+void
+LineEvidence::findHeights(StoreyLine& line) const
+{
+  constexpr std::size_t reach = 2; // bins beside one: points are sparse
+  std::vector<std::uint32_t> levels(line.any.size(), 0);
+  forEachOn(line, bodies_, [&](std::size_t k, std::size_t i, double, double) {
+    levels[i] |= 1U << levels_[bodies_.given(k)];
+  });
+  line.height.clear();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    std::uint32_t near = 0;
+    for (std::size_t k = i - std::min(i, reach);
+         k < std::min(levels.size(), i + reach + 1); ++k)
+      near |= levels[k];
+    line.height.push_back(static_cast<float>(__builtin_popcount(near)) /
+                          RoomCells::levels);
+  }
 }
 
 void

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::sedr {
@@ -46,6 +47,9 @@ struct RoomCells {
   /** @brief Of the height from floor to ceiling at each of them, the share at which
    * something was seen: little of a bulkhead's, much of a wall's. */
   std::vector<float> wall_shares;
+  std::vector<Eigen::Vector2d> body_points; ///< of all heights, but floor and ceiling
+  std::vector<std::uint8_t> body_levels; ///< their heights, in `levels` of the room's
+  static constexpr int levels = 16;
   /** @brief On surfaces of `riser`, and of `base` where none goes on to the ceiling. */
   std::vector<Eigen::Vector2d> part_points;
 
