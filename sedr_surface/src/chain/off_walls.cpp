@@ -114,6 +114,34 @@ public:
     return {&side_, found, found.area / wall_tile * (side_.ceiling - side_.floor)};
   }
 
+  /** @brief Returns the columns before which a lower part of the ceiling ends, and how
+   * far: what is behind it nobody saw. */
+  OffWall passedBy() const
+  {
+    const PlanRoom& room = rooms_.lookup(side_.room).room();
+    std::vector<CellValue> gaps;
+    double area = 0; // of what is not in the model if that is no soffit but a beam
+    for (std::size_t c = 0; c < map_.columns(); ++c) {
+      const double gap = map_.ceilingBefore(c);
+      const double s = map_.cell() * (static_cast<double>(c) + 0.5);
+      const Eigen::Vector2d at =
+          side_.line.pointAt(s) + off_wall * side_.line.normalAt(s);
+      const int part = room.detailAt(at);
+      if (gap < off_wall || !std::isfinite(gap) || s < from_ + off_wall ||
+          s > to_ - off_wall || part < 0 ||
+          room.details[static_cast<std::size_t>(part)].is_facet)
+        continue;
+      const double drop = room.ceiling.heightAt(at) - room.ceilingAt(at);
+      if (drop < off_wall)
+        continue;
+      gaps.emplace_back(keyOf({static_cast<std::int32_t>(c), 0}), gap);
+      area += map_.cell() * (gap + drop);
+    }
+    Patches found(gaps, map_.cell(), 0);
+    found.area *= found.mean / map_.cell(); // not of cells, but of gaps
+    return {&side_, found, area};
+  }
+
 private:
   /** @brief Adds a cell unless it is beside a corner, in an opening or its reveals, or
    * what is behind it is in a room. */
@@ -169,10 +197,13 @@ tellOffWalls(const Floorplan& plan,
   constexpr double told_behind = 0.01;
   constexpr double told_before = 0.02;
   std::vector<std::array<double, 2>> areas(plan.rooms.size()); // before, behind
+  std::vector<std::vector<OffWall>> parts(plan.rooms.size());
   std::vector<OffWall> off;
   for (std::size_t k = 0; k < maps.sides.size(); ++k) {
     const WallSide& side = maps.sides[k];
     const OffSurface surface(plan, side, maps.maps[k], rooms, priors);
+    if (OffWall part = surface.passedBy(); part.area > 0)
+      parts[side.room].push_back(std::move(part));
     for (const bool is_behind : {true, false}) {
       OffWall found = surface.patches(is_behind);
       if (const OffWall under = surface.passedUnder();
@@ -198,6 +229,20 @@ tellOffWalls(const Floorplan& plan,
                           side->isWall() ? side->element + 1 : 0,
                           {},
                           side->line.pointAt(found.middle.x())});
+  }
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    PlanWarning told{WarningKind::PartUnseen, {0}, plan.rooms[r].id};
+    double behind = 0;
+    double largest = 0;
+    for (const auto& [side, found, area] : parts[r]) {
+      told.values[0] += found.area;
+      behind += area;
+      if (found.area > largest)
+        told.at = side->line.pointAt(found.middle.x());
+      largest = std::max(largest, found.area);
+    }
+    if (behind > 0 && behind >= told_behind * surfacesOf(plan.rooms[r]))
+      warnings.push_back(told);
   }
   for (const PlanRoom& room : plan.rooms)
     for (const PlanNiche& niche : room.niches) {

@@ -74,6 +74,8 @@ public:
    * stands on the floor away from walls. */
   void add(const Eigen::Vector3d& p);
 
+  const RoomLookup& lookup(std::size_t room) const { return rooms_[room]; }
+
   /** @brief Returns the room in which a point lies, or a niche of which; -1: none. */
   int ownerOf(const Eigen::Vector3d& p) const;
 
@@ -97,12 +99,11 @@ private:
     std::vector<std::uint64_t> seen{};
   };
 
-  /** @brief Returns how near a point is to a vertical surface, in tolerances of it and
-   * in metres; infinite where that is no nearer than furniture is deep. Counts it for
-   * the surfaces that it lies on. */
-  std::pair<double, double> nearness(const Eigen::Vector3d& p);
+  /** @brief Checks whether a point lies on vertical surfaces, and counts it for them.
+   */
+  bool isOnVertical(const Eigen::Vector3d& p);
 
-  void addStanding(const Eigen::Vector3d& p, std::size_t room);
+  void addOff(const Eigen::Vector3d& p, std::size_t room);
 
   /** @brief Counts a point of no room below a floor or above a ceiling. */
   void addBeyond(const Eigen::Vector3d& p);
@@ -114,7 +115,9 @@ private:
   /** @brief Warns of parts of a ceiling that were not seen, if beside at least half of
    * their tiles something was seen that leads up, as between joists. */
   void tellCeilingGaps(std::size_t room, std::vector<PlanWarning>& warnings) const;
-  void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
+  /** @brief Warns of what was seen off all surfaces and meets the ceiling. */
+  void tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of lower parts of a ceiling, clear of the walls, of which no side up
    * to the rest was seen, if compared with the wall that was seen best. */
@@ -136,12 +139,12 @@ private:
   PlaceTable rooms_near_;
   std::vector<Vertical> verticals_;
   PlaceTable verticals_near_;
-  /** @brief What is seen between floor and ceiling in one cell of a room. */
-  struct Standing {
-    double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
-    std::uint64_t heights = 0; ///< in steps of a cell below the ceiling, a bit each
+  /** @brief What is seen off all surfaces in one tile of a room. */
+  struct OffModel {
+    double ceiling = 0; ///< the lowest in and beside the tile: no step stands out
+    std::uint64_t heights = 0; ///< in steps of a tile below the ceiling, a bit each
   };
-  std::vector<std::map<CellKey, Standing>> standing_; ///< of each room
+  std::vector<std::map<CellKey, OffModel>> off_; ///< of each room
 };
 
 /** @brief Appends a warning for each wall off which much was seen, as the maps of its
