@@ -7,12 +7,18 @@
 
 namespace pcl::sedr {
 
+constexpr double whole = 0.9; ///< share of a wall
+
+namespace {
+
+/** @brief Checks whether something takes up a wall from end to end and is no door. */
 bool
 isAsLongAs(const PlanElement& wall, double width, const Priors& priors)
 {
-  constexpr double whole = 0.9;
   return width > priors.max_door_width && width >= whole * wall.length();
 }
+
+} // namespace
 
 CellSet
 cellsOf(const std::vector<CellValue>& values)
@@ -86,8 +92,21 @@ public:
       , rooms_(rooms)
       , from_(side.line.isArc() ? 0 : side.line.project(wall_.start))
       , to_(from_ + wall_.length())
-      , priors_(priors)
-  {}
+  {
+    // What is as long as its wall, or as high and shows nothing beyond its back, may be
+    // the wall itself, seen behind cupboards or in a recess.
+    const auto isRecess = [&](const WallRectangle& o) {
+      return o.to - o.from > priors.max_door_width &&
+             o.top - o.bottom >= whole * (side.ceiling - side.floor) &&
+             backOf(map, o).beyond <= Priors::share_unseen;
+    };
+    openings_.erase(std::remove_if(openings_.begin(), openings_.end(),
+                                   [&](const WallRectangle& o) {
+                                     return isRecess(o) ||
+                                            isAsLongAs(wall_, o.to - o.from, priors);
+                                   }),
+                    openings_.end());
+  }
 
   OffWall patches(bool is_behind) const
   {
@@ -170,7 +189,7 @@ private:
     constexpr double rim = 0.15; // metres
     return std::any_of(openings_.begin(), openings_.end(), [&](const WallRectangle& o) {
       return s > o.from - rim && s < o.to + rim && z > o.bottom - rim &&
-             z < o.top + rim && !isAsLongAs(wall_, o.to - o.from, priors_);
+             z < o.top + rim;
     });
   }
 
@@ -181,7 +200,6 @@ private:
   const SeenSurfaces& rooms_;
   double from_; ///< of the wall, along its side
   double to_;
-  const Priors& priors_;
 };
 
 } // namespace

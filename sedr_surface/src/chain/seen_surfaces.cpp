@@ -228,9 +228,9 @@ SeenSurfaces::addOff(const Eigen::Vector3d& p, std::size_t room)
     off.ceiling = infinite;
     for (const double x : {-1, 0, 1})
       for (const double y : {-1, 0, 1})
-        off.ceiling = std::min(
-            off.ceiling,
-            lookup.ceilingAt(tiles_.centre(cell) + wall_tile * Eigen::Vector2d(x, y)));
+        off.ceiling =
+            std::min(off.ceiling, lookup.ceilingAt(tiles_.centre(cell) +
+                                                   wall_tile * Eigen::Vector2d(x, y)));
   }
   const double below = off.ceiling - p.z();
   if (below > std::max(off_wall, sigmas * lookup.room().ceiling.residual))
@@ -258,8 +258,12 @@ SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) cons
     if (meets[regions.label[k]] >= min_strip)
       told.push_back(steps[k]);
   const Patches found(told, wall_tile, 0);
-  const double area = found.mean * found.area; // of the steps
+  double area = found.mean * found.area; // of the steps
   const PlanRoom& plan = rooms_[room].room();
+  for (const PlanWarning& warning : warnings) // of what is close before walls
+    if (warning.room == plan.id && warning.kind == WarningKind::WallOff &&
+        warning.values[1] > 0)
+      area -= warning.values[0];
   if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
 }

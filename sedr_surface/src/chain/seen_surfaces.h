@@ -61,9 +61,6 @@ PlanWarning slabWarning(bool is_floor, const Patches& found, const PlanRoom& roo
 /** @brief Returns the area of all surfaces of a room, square metres. */
 double surfacesOf(const PlanRoom& room);
 
-/** @brief Checks whether something takes up a wall from end to end and is no door. */
-bool isAsLongAs(const PlanElement& wall, double width, const Priors& priors);
-
 /** @brief What was seen of the surfaces of a plan and about them. */
 class SeenSurfaces {
 public:
@@ -150,8 +147,10 @@ private:
 /** @brief Appends a warning for each wall off which much was seen, as the maps of its
  * room show: with nothing on it and something close before it, or behind it and in no
  * room; or where a ceiling goes on behind it. Where an opening is, or its reveals,
- * nothing counts, but one as long as its wall may be what is seen of the wall behind
- * cupboards. Niches as long as their wall are told of as well. */
+ * nothing counts, but one as long as its wall, or as high with nothing seen beyond its
+ * back, may be the wall. Niches as long as their wall are told of as well, and once a
+ * room lower parts of its ceiling that end before their wall, if what is there instead,
+ * as behind a beam, makes up 1 % of all surfaces. */
 void tellOffWalls(const Floorplan& plan,
                   const OpeningSearch& maps,
                   const SeenSurfaces& rooms,
@@ -171,9 +170,10 @@ void tellOffWalls(const Floorplan& plan,
  * Walls and sides of columns: places with nothing on them and something seen behind,
  * not before, which is in no other room, and ceilings that go on behind, if they make
  * up 1 % of all surfaces of the room; and what lies 5 to 15 cm before them, if it makes
- * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
- * as walls do, and are none, and lower parts of a ceiling that may hang there, as no
- * side up to the rest was seen: one warning a room for each.
+ * up 2 %. Openings and their reveals do not count. What lies off all surfaces and meets
+ * the ceiling over half a metre, such as ribs, pilasters and curtains, if it makes up 1
+ * %; lower parts of ceilings that end before their wall; and those that may hang there,
+ * as no side up to the rest was seen: one warning a room for each.
  *
  * O(points + columns of the building + cells of the maps).
  * @param points thinned
