@@ -233,8 +233,11 @@ SeenSurfaces::addOff(const Eigen::Vector3d& p, std::size_t room)
                                                    wall_tile * Eigen::Vector2d(x, y)));
   }
   const double below = off.ceiling - p.z();
-  if (below > std::max(off_wall, sigmas * lookup.room().ceiling.residual))
-    off.heights |= stepAt(below, wall_tile);
+  if (below <= std::max(off_wall, sigmas * lookup.room().ceiling.residual))
+    return;
+  const std::uint64_t step = stepAt(below, wall_tile);
+  off.heights |= off.once & step; // one may lie between two surfaces
+  off.once |= step;
 }
 
 void

@@ -139,7 +139,8 @@ private:
   /** @brief What is seen off all surfaces in one tile of a room. */
   struct OffModel {
     double ceiling = 0; ///< the lowest in and beside the tile: no step stands out
-    std::uint64_t heights = 0; ///< in steps of a tile below the ceiling, a bit each
+    std::uint64_t heights = 0; ///< of two points, in steps of a tile below the ceiling
+    std::uint64_t once = 0;    ///< of one point and more
   };
   std::vector<std::map<CellKey, OffModel>> off_; ///< of each room
 };

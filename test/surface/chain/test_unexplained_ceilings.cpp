@@ -212,7 +212,7 @@ TEST(UnexplainedCeilings, AreNoBeamsSoffitsRibsOrRooflights)
   EXPECT_TRUE(ribs.hanging().empty());
 }
 
-TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLamp)
+TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLampAndNoStrays)
 {
   // Two ribs of 0.1 m x 0.2 m below a ceiling that was seen beside them, in each cell.
   const Floorplan plan{{planned(1, 0, 4)}};
@@ -229,6 +229,9 @@ TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLamp)
   RoomWithParts lamp;
   addRectangle({1.8F, 1.3F, 2.4F}, {0.4F, 0, 0}, {0, 0.4F, 0}, lamp.cloud, 0.02F);
   EXPECT_TRUE(unexplained(lamp.cloud, plan).empty());
+  RoomWithParts strays; // one a tile and step, as between the edges of two things
+  addRectangle({0.5F, 1.5F, 1.9F}, {3, 0, 0}, {0, 0, 0.6F}, strays.cloud, 0.1F);
+  EXPECT_TRUE(unexplained(strays.cloud, plan).empty());
 }
 
 TEST(UnexplainedCeilings, AreLowerPartsThatEndBeforeTheirWall)
