@@ -204,7 +204,9 @@ PlanEditor::confirm(const std::string& number)
     for (PlanOpening& opening : plan.openings)
       if (markOf(opening) == number)
         return confirmIt(opening);
-    return lacksOpening(plan, number);
+    return lacksOpening(plan, number) +
+           "; only a wall (3.12) or an opening (D3) can be confirmed, unless another "
+           "edit removes it";
   });
 }
 

@@ -90,8 +90,8 @@ constexpr std::array<Words, static_cast<std::size_t>(WarningKind::Edited) + 1> w
      "{0.1} m2 of what was seen there lie {1.0} cm before it",
      "{0.1} m2 of what was seen there lie {1.0} cm behind it"},
     {"standing", "look at", Stake::Value, 0.3,
-     "{0.1} m2 of what was seen within it reach up to the ceiling and are no wall or "
-     "column of the plan"},
+     "{0.1} m2 of what was seen within it{at} reach up to the ceiling and are not in "
+     "the plan"},
     {"hanging", "look at", Stake::Value, 0.5,
      "{0.1} m2 of its ceiling{at} lie {1.2} m below the rest, but of no side between "
      "more than {2.0} % was seen: they may be a thing that hangs there"},

@@ -80,7 +80,8 @@ nameOpening(const OpeningFeatures& features,
   // A back deeper than the wall is thick, as far as that is known, is no pane or leaf.
   const bool is_deep = found.part == 0 && found.opening.walls.size() < 2 &&
                        found.back.closed >= Priors::share_closed &&
-                       found.filled <= 1 - Priors::share_closed;
+                       found.filled <= 1 - Priors::share_closed &&
+                       found.back.depth <= sizes.max_niche;
   const double niche = !found.isNiche() ? 0
                        : is_deep        ? std::numeric_limits<double>::infinity()
                                         : recess;
@@ -94,7 +95,8 @@ nameOpening(const OpeningFeatures& features,
   found.odds = std::log(std::max(any, niche) / none);
   const bool is_low =
       likeliest.second != OpeningKind::Window && o.height() < sizes.min_head;
-  o.confidence = likeliest.first / (any + none + niche);
+  // A recess that is no niche, such as a bay of the room, is next to no opening.
+  o.confidence = is_deep ? 0.01 : likeliest.first / (any + none + niche);
   o.kind = is_low || likeliest.first < opening_numbers.min_confidence * any
                ? OpeningKind::Unknown
                : likeliest.second;

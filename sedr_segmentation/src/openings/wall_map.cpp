@@ -348,6 +348,7 @@ WallMap::findOffsets(const PlanElement& line)
   offsets_.assign(cells_.size(), nothing);
   farthest_.assign(cells_.size(), 0);
   ceiling_behind_.assign(columns_, nothing);
+  ceiling_before_.assign(columns_, -nothing);
   for (const SidePoint& p : points_) {
     const float offset = p.offset + static_cast<float>(centre_);
     const auto c = static_cast<std::size_t>(std::max(p.along, 0.0F) / cell_);
@@ -357,6 +358,8 @@ WallMap::findOffsets(const PlanElement& line)
     if (p.height > ceilings_[c] - opening_numbers.on_face) {
       if (offset < -edge)
         ceiling_behind_[c] = std::max(ceiling_behind_[c], offset);
+      else if (offset > edge)
+        ceiling_before_[c] = std::min(ceiling_before_[c], offset);
       continue;
     }
     const std::size_t i = indexOf(p);

@@ -96,6 +96,9 @@ public:
    * ceiling. */
   float ceilingBehind(std::size_t column) const { return ceiling_behind_[column]; }
 
+  /** @brief Returns likewise what is nearest before the surface there. */
+  float ceilingBefore(std::size_t column) const { return ceiling_before_[column]; }
+
   /** @brief Returns up to which distance from floor and ceiling points are theirs,
    * metres. */
   double slabBand() const { return std::max(opening_numbers.slab_band, cell_ / 2); }
@@ -154,6 +157,7 @@ private:
   std::vector<float> offsets_;
   std::vector<float> farthest_;
   std::vector<float> ceiling_behind_;
+  std::vector<float> ceiling_before_;
 };
 
 } // namespace pcl::sedr

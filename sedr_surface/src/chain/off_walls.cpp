@@ -7,12 +7,18 @@
 
 namespace pcl::sedr {
 
+constexpr double whole = 0.9; ///< share of a wall
+
+namespace {
+
+/** @brief Checks whether something takes up a wall from end to end and is no door. */
 bool
 isAsLongAs(const PlanElement& wall, double width, const Priors& priors)
 {
-  constexpr double whole = 0.9;
   return width > priors.max_door_width && width >= whole * wall.length();
 }
+
+} // namespace
 
 CellSet
 cellsOf(const std::vector<CellValue>& values)
@@ -86,8 +92,21 @@ public:
       , rooms_(rooms)
       , from_(side.line.isArc() ? 0 : side.line.project(wall_.start))
       , to_(from_ + wall_.length())
-      , priors_(priors)
-  {}
+  {
+    // What is as long as its wall, or as high and shows nothing beyond its back, may be
+    // the wall itself, seen behind cupboards or in a recess.
+    const auto isRecess = [&](const WallRectangle& o) {
+      return o.to - o.from > priors.max_door_width &&
+             o.top - o.bottom >= whole * (side.ceiling - side.floor) &&
+             backOf(map, o).beyond <= Priors::share_unseen;
+    };
+    openings_.erase(std::remove_if(openings_.begin(), openings_.end(),
+                                   [&](const WallRectangle& o) {
+                                     return isRecess(o) ||
+                                            isAsLongAs(wall_, o.to - o.from, priors);
+                                   }),
+                    openings_.end());
+  }
 
   OffWall patches(bool is_behind) const
   {
@@ -112,6 +131,34 @@ public:
     Patches found(offsets, map_.cell(), min_strip * map_.cell());
     found.area *= wall_tile / map_.cell(); // a strip of the same depth on all maps
     return {&side_, found, found.area / wall_tile * (side_.ceiling - side_.floor)};
+  }
+
+  /** @brief Returns the columns before which a lower part of the ceiling ends, and how
+   * far: what is behind it nobody saw. */
+  OffWall passedBy() const
+  {
+    const PlanRoom& room = rooms_.lookup(side_.room).room();
+    std::vector<CellValue> gaps;
+    double area = 0; // of what is not in the model if that is no soffit but a beam
+    for (std::size_t c = 0; c < map_.columns(); ++c) {
+      const double gap = map_.ceilingBefore(c);
+      const double s = map_.cell() * (static_cast<double>(c) + 0.5);
+      const Eigen::Vector2d at =
+          side_.line.pointAt(s) + off_wall * side_.line.normalAt(s);
+      const int part = room.detailAt(at);
+      if (gap < off_wall || !std::isfinite(gap) || s < from_ + off_wall ||
+          s > to_ - off_wall || part < 0 ||
+          room.details[static_cast<std::size_t>(part)].is_facet)
+        continue;
+      const double drop = room.ceiling.heightAt(at) - room.ceilingAt(at);
+      if (drop < off_wall)
+        continue;
+      gaps.emplace_back(keyOf({static_cast<std::int32_t>(c), 0}), gap);
+      area += map_.cell() * (gap + drop);
+    }
+    Patches found(gaps, map_.cell(), 0);
+    found.area *= found.mean / map_.cell(); // not of cells, but of gaps
+    return {&side_, found, area};
   }
 
 private:
@@ -142,7 +189,7 @@ private:
     constexpr double rim = 0.15; // metres
     return std::any_of(openings_.begin(), openings_.end(), [&](const WallRectangle& o) {
       return s > o.from - rim && s < o.to + rim && z > o.bottom - rim &&
-             z < o.top + rim && !isAsLongAs(wall_, o.to - o.from, priors_);
+             z < o.top + rim;
     });
   }
 
@@ -153,7 +200,6 @@ private:
   const SeenSurfaces& rooms_;
   double from_; ///< of the wall, along its side
   double to_;
-  const Priors& priors_;
 };
 
 } // namespace
@@ -169,10 +215,13 @@ tellOffWalls(const Floorplan& plan,
   constexpr double told_behind = 0.01;
   constexpr double told_before = 0.02;
   std::vector<std::array<double, 2>> areas(plan.rooms.size()); // before, behind
+  std::vector<std::vector<OffWall>> parts(plan.rooms.size());
   std::vector<OffWall> off;
   for (std::size_t k = 0; k < maps.sides.size(); ++k) {
     const WallSide& side = maps.sides[k];
     const OffSurface surface(plan, side, maps.maps[k], rooms, priors);
+    if (OffWall part = surface.passedBy(); part.area > 0)
+      parts[side.room].push_back(std::move(part));
     for (const bool is_behind : {true, false}) {
       OffWall found = surface.patches(is_behind);
       if (const OffWall under = surface.passedUnder();
@@ -198,6 +247,20 @@ tellOffWalls(const Floorplan& plan,
                           side->isWall() ? side->element + 1 : 0,
                           {},
                           side->line.pointAt(found.middle.x())});
+  }
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    PlanWarning told{WarningKind::PartUnseen, {0}, plan.rooms[r].id};
+    double behind = 0;
+    double largest = 0;
+    for (const auto& [side, found, area] : parts[r]) {
+      told.values[0] += found.area;
+      behind += area;
+      if (found.area > largest)
+        told.at = side->line.pointAt(found.middle.x());
+      largest = std::max(largest, found.area);
+    }
+    if (behind > 0 && behind >= told_behind * surfacesOf(plan.rooms[r]))
+      warnings.push_back(told);
   }
   for (const PlanRoom& room : plan.rooms)
     for (const PlanNiche& niche : room.niches) {

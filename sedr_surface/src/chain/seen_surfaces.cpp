@@ -35,7 +35,7 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
     , above_ceiling_(plan.rooms.size())
     , rooms_near_(0.5)
     , verticals_near_(0.5)
-    , standing_(plan.rooms.size())
+    , off_(plan.rooms.size())
 {
   for (const PlanRoom& room : plan.rooms) {
     rooms_near_.addIn(boundsOf(outermostBoundary(room)),
@@ -55,10 +55,10 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan, const CellGrid& grid)
   verticals_near_.finish();
 }
 
-std::pair<double, double>
-SeenSurfaces::nearness(const Eigen::Vector3d& p)
+bool
+SeenSurfaces::isOnVertical(const Eigen::Vector3d& p)
 {
-  std::pair<double, double> nearest{infinite, infinite};
+  bool is_on = false;
   for (const std::uint32_t v : verticals_near_.at(p.head<2>())) {
     auto& [surface, tolerance, spans, seen] = verticals_[v];
     const double s = surface.project(p);
@@ -70,10 +70,9 @@ SeenSurfaces::nearness(const Eigen::Vector3d& p)
         std::abs((p - surface.pointAt(s, p.z())).dot(surface.normalAt(s)));
     if (off <= tolerance && p.z() < spans[tile].high - off_wall)
       seen[tile] |= stepAt(p.z() - spans[tile].low - off_wall, off_wall);
-    nearest.first = std::min(nearest.first, off / tolerance);
-    nearest.second = std::min(nearest.second, off);
+    is_on = is_on || off <= tolerance;
   }
-  return nearest;
+  return is_on;
 }
 
 int
@@ -93,8 +92,7 @@ SeenSurfaces::ownerOf(const Eigen::Vector3d& p) const
 void
 SeenSurfaces::add(const Eigen::Vector3d& p)
 {
-  const auto [tolerances, distance] = nearness(p);
-  if (tolerances <= 1)
+  if (isOnVertical(p))
     return;
   const int owner = ownerOf(p);
   if (owner < 0) {
@@ -115,8 +113,7 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
     ++on_ceiling_[r][tile];
   if (above > std::max(off_wall / 2, sigmas * rooms_[r].room().ceiling.residual))
     above_ceiling_[r].insert(tile);
-  if (distance >= relief)
-    addStanding(p, r);
+  addOff(p, r);
 }
 
 void
@@ -221,44 +218,55 @@ SeenSurfaces::tellCeilingGaps(std::size_t room,
 }
 
 void
-SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
+SeenSurfaces::addOff(const Eigen::Vector3d& p, std::size_t room)
 {
-  const CellGrid tiles(wall_tile);
-  const Cell cell = tiles.at(p.x(), p.y());
-  const auto [found, is_new] = standing_[room].try_emplace(keyOf(cell));
-  Standing& standing = found->second;
+  const RoomLookup& lookup = rooms_[room];
+  const Cell cell = tiles_.at(p.x(), p.y());
+  const auto [found, is_new] = off_[room].try_emplace(keyOf(cell));
+  OffModel& off = found->second;
   if (is_new) {
-    standing.ceiling = infinite;
+    off.ceiling = infinite;
     for (const double x : {-1, 0, 1})
       for (const double y : {-1, 0, 1})
-        standing.ceiling =
-            std::min(standing.ceiling,
-                     rooms_[room].ceilingAt(tiles.centre(cell) +
-                                            wall_tile * Eigen::Vector2d(x, y)));
+        off.ceiling =
+            std::min(off.ceiling, lookup.ceilingAt(tiles_.centre(cell) +
+                                                   wall_tile * Eigen::Vector2d(x, y)));
   }
-  const double below = standing.ceiling - p.z();
-  standing.heights |= below > wall_tile ? stepAt(below, wall_tile) : 0;
+  const double below = off.ceiling - p.z();
+  if (below <= std::max(off_wall, sigmas * lookup.room().ceiling.residual))
+    return;
+  const std::uint64_t step = stepAt(below, wall_tile);
+  off.heights |= off.once & step; // one may lie between two surfaces
+  off.once |= step;
 }
 
 void
-SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const
+SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const
 {
-  // What is seen in the highest step of the band in which walls are looked for, and in
-  // most of it.
-  constexpr unsigned first = 1;
-  constexpr unsigned last = 5;
-  constexpr unsigned least = 4;
+  constexpr std::uint64_t top = 3;     // steps: what is seen there meets the ceiling
+  constexpr std::uint64_t band = 0x3f; // in which walls are looked for
   std::vector<CellValue> steps;
-  for (const auto& [key, standing] : standing_[room]) {
-    unsigned in_band = 0;
-    for (unsigned k = first; k <= last; ++k)
-      in_band += standing.heights >> k & 1;
-    if (in_band >= least && (standing.heights >> first & 1))
-      steps.emplace_back(key, __builtin_popcountll(standing.heights));
-  }
-  const Patches found(steps, wall_tile, min_strip * wall_tile);
-  const double area = found.mean * found.area; // of the steps
+  for (const auto& [key, off] : off_[room])
+    if ((off.heights & band) != 0)
+      steps.emplace_back(key, __builtin_popcountll((off.heights & top) != 0
+                                                       ? off.heights
+                                                       : off.heights & band));
+  const CellRegions regions = labelRegions(cellsOf(steps));
+  std::vector<double> meets(regions.sizes.size(), 0); // metres
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if ((off_[room].at(steps[k].first).heights & top) != 0)
+      meets[regions.label[k]] += wall_tile;
+  std::vector<CellValue> told;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (meets[regions.label[k]] >= min_strip)
+      told.push_back(steps[k]);
+  const Patches found(told, wall_tile, 0);
+  double area = found.mean * found.area; // of the steps
   const PlanRoom& plan = rooms_[room].room();
+  for (const PlanWarning& warning : warnings) // of what is close before walls
+    if (warning.room == plan.id && warning.kind == WarningKind::WallOff &&
+        warning.values[1] > 0)
+      area -= warning.values[0];
   if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
 }
@@ -267,7 +275,7 @@ void
 SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
 {
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
-    tellStanding(r, warnings);
+    tellOff(r, warnings);
     tellHanging(r, warnings);
     tellBeyond(r, warnings);
     tellCeilingGaps(r, warnings);

@@ -61,9 +61,6 @@ PlanWarning slabWarning(bool is_floor, const Patches& found, const PlanRoom& roo
 /** @brief Returns the area of all surfaces of a room, square metres. */
 double surfacesOf(const PlanRoom& room);
 
-/** @brief Checks whether something takes up a wall from end to end and is no door. */
-bool isAsLongAs(const PlanElement& wall, double width, const Priors& priors);
-
 /** @brief What was seen of the surfaces of a plan and about them. */
 class SeenSurfaces {
 public:
@@ -73,6 +70,8 @@ public:
   /** @brief Counts a point for the floor or ceiling that it lies on, and for what
    * stands on the floor away from walls. */
   void add(const Eigen::Vector3d& p);
+
+  const RoomLookup& lookup(std::size_t room) const { return rooms_[room]; }
 
   /** @brief Returns the room in which a point lies, or a niche of which; -1: none. */
   int ownerOf(const Eigen::Vector3d& p) const;
@@ -97,12 +96,11 @@ private:
     std::vector<std::uint64_t> seen{};
   };
 
-  /** @brief Returns how near a point is to a vertical surface, in tolerances of it and
-   * in metres; infinite where that is no nearer than furniture is deep. Counts it for
-   * the surfaces that it lies on. */
-  std::pair<double, double> nearness(const Eigen::Vector3d& p);
+  /** @brief Checks whether a point lies on vertical surfaces, and counts it for them.
+   */
+  bool isOnVertical(const Eigen::Vector3d& p);
 
-  void addStanding(const Eigen::Vector3d& p, std::size_t room);
+  void addOff(const Eigen::Vector3d& p, std::size_t room);
 
   /** @brief Counts a point of no room below a floor or above a ceiling. */
   void addBeyond(const Eigen::Vector3d& p);
@@ -114,7 +112,9 @@ private:
   /** @brief Warns of parts of a ceiling that were not seen, if beside at least half of
    * their tiles something was seen that leads up, as between joists. */
   void tellCeilingGaps(std::size_t room, std::vector<PlanWarning>& warnings) const;
-  void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
+  /** @brief Warns of what was seen off all surfaces and meets the ceiling. */
+  void tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of lower parts of a ceiling, clear of the walls, of which no side up
    * to the rest was seen, if compared with the wall that was seen best. */
@@ -136,19 +136,22 @@ private:
   PlaceTable rooms_near_;
   std::vector<Vertical> verticals_;
   PlaceTable verticals_near_;
-  /** @brief What is seen between floor and ceiling in one cell of a room. */
-  struct Standing {
-    double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
-    std::uint64_t heights = 0; ///< in steps of a cell below the ceiling, a bit each
+  /** @brief What is seen off all surfaces in one tile of a room. */
+  struct OffModel {
+    double ceiling = 0; ///< the lowest in and beside the tile: no step stands out
+    std::uint64_t heights = 0; ///< of two points, in steps of a tile below the ceiling
+    std::uint64_t once = 0;    ///< of one point and more
   };
-  std::vector<std::map<CellKey, Standing>> standing_; ///< of each room
+  std::vector<std::map<CellKey, OffModel>> off_; ///< of each room
 };
 
 /** @brief Appends a warning for each wall off which much was seen, as the maps of its
  * room show: with nothing on it and something close before it, or behind it and in no
  * room; or where a ceiling goes on behind it. Where an opening is, or its reveals,
- * nothing counts, but one as long as its wall may be what is seen of the wall behind
- * cupboards. Niches as long as their wall are told of as well. */
+ * nothing counts, but one as long as its wall, or as high with nothing seen beyond its
+ * back, may be the wall. Niches as long as their wall are told of as well, and once a
+ * room lower parts of its ceiling that end before their wall, if what is there instead,
+ * as behind a beam, makes up 1 % of all surfaces. */
 void tellOffWalls(const Floorplan& plan,
                   const OpeningSearch& maps,
                   const SeenSurfaces& rooms,
@@ -168,9 +171,10 @@ void tellOffWalls(const Floorplan& plan,
  * Walls and sides of columns: places with nothing on them and something seen behind,
  * not before, which is in no other room, and ceilings that go on behind, if they make
  * up 1 % of all surfaces of the room; and what lies 5 to 15 cm before them, if it makes
- * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
- * as walls do, and are none, and lower parts of a ceiling that may hang there, as no
- * side up to the rest was seen: one warning a room for each.
+ * up 2 %. Openings and their reveals do not count. What lies off all surfaces and meets
+ * the ceiling over half a metre, such as ribs, pilasters and curtains, if it makes up 1
+ * %; lower parts of ceilings that end before their wall; and those that may hang there,
+ * as no side up to the rest was seen: one warning a room for each.
  *
  * O(points + columns of the building + cells of the maps).
  * @param points thinned

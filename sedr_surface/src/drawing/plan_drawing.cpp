@@ -125,8 +125,8 @@ titleTextsOf(const PlanDrawing& drawing)
       std::to_string(rooms) + (rooms == 1 ? " room, " : " rooms, ") +
           decimalText(drawing.area, 2) + " m²",
       (is_floor
-           ? "Dimensions in metres, from face to face. Dashed: overhead. h: ceiling "
-             "above the floor. ▼: level of the floor."
+           ? "Metres, face to face, at the floor; openings of any height. Dashed: "
+             "overhead. h: ceiling height. ▼: floor level."
            : "Metres. Blue: heights above the floor of the room. Not drawn: lamps; "
              "glass of skylights, which are recesses here.") +
           std::string(explains(PlanLayer::Headroom, " Dotted: headroom.")) +

@@ -187,7 +187,6 @@ constexpr double min_height = 2;       // metres
 constexpr double max_height = 6;       // metres
 constexpr double max_walls = 8;        // of a room, if they are short:
 constexpr double min_mean_wall = 1.25; // metres
-constexpr double min_unseen = 0.25;    // square metres
 constexpr double min_door_width = 0.7; // metres
 constexpr double min_storey_area = 5;  // square metres
 constexpr double min_noise = 0.005;    // metres
@@ -306,13 +305,6 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
              walls[e].length() >= worth_word && edge >= worth_word)
       addAt(walls[e].pointAt(walls[e].length() / 2), e + 1, WarningKind::InLine,
             {edge});
-  for (const PlanDetail& detail : room.details) {
-    const Eigen::Vector2d middle = textSpotIn(detail.boundary, {}).place;
-    const double unseen = detail.slab.inferred * detail.boundary.area();
-    if (unseen >= min_unseen && walledShare(detail, room) > 0 &&
-        detail.slab.heightAt(middle) < room.ceiling.heightAt(middle))
-      addAt(middle, 0, WarningKind::PartUnseen, {unseen});
-  }
   for (const PlanDetail& detail : room.floor_details) {
     const Eigen::Vector2d middle = textSpotIn(detail.boundary, {}).place;
     const double rise = detail.slab.heightAt(middle) - room.floor.heightAt(middle);

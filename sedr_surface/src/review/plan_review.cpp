@@ -70,7 +70,7 @@ reasonOf(const PlanOpening& opening)
   if (opening.kind == OpeningKind::Unknown)
     reason += ", its kind is not known";
   else if (opening.confidence < sure)
-    reason += ", its kind is " + percent(opening.confidence) + " sure";
+    reason += ", its kind is doubtful";
   return reason;
 }
 

@@ -265,11 +265,12 @@ TEST(PlanEditor, WhatIsConfirmedStaysSoUntilItIsEdited)
   leaf.leaf = "left";
   ASSERT_TRUE(done(again.setOpening(mark, leaf), again));
   EXPECT_FALSE(again.getFloorplan().openings[0].is_confirmed);
-  EXPECT_EQ(refusal(again.confirm("W9"), again),
-            "the plan has no opening W9; there are: " + mark);
   EXPECT_EQ(refusal(again.confirm("1.9"), again), "there is no wall 1.9: room 1 has 4");
-  EXPECT_EQ(refusal(again.confirm("1.2x"), again),
-            "the plan has no opening 1.2x; there are: " + mark);
+  for (const char* thing : {"W9", "1.2x", "1"})
+    EXPECT_EQ(refusal(again.confirm(thing), again),
+              "the plan has no opening " + std::string(thing) + "; there are: " + mark +
+                  "; only a wall (3.12) or an opening (D3) can be confirmed, unless "
+                  "another edit removes it");
 }
 
 TEST(EditRefusals, AJogIsNoDeeperThanAWall)

@@ -100,6 +100,28 @@ TEST(Niches, WhatReachesFromFloorToCeilingIsAPartOfTheRoom)
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0, 2.6, 0.3)), 0u);
 }
 
+TEST(Niches, OfWhichThePlanHasABayAreNextToNoOpening)
+{
+  const PlanRoom room = recessed(0.3, 3.7, 0.5, 2.4, 0.46);
+  RoomPoints points(0.03);
+  points.room(room);
+  Floorplan plan{{roomOf(polygon({{0, 0},
+                                  {5, 0},
+                                  {5, 0.3},
+                                  {5.46, 0.3},
+                                  {5.46, 3.7},
+                                  {5, 3.7},
+                                  {5, 4},
+                                  {0, 4}}),
+                         2.6)}};
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(points.cloud());
+  ASSERT_TRUE(detection.segment(plan)) << detection.getErrorMessage();
+  EXPECT_TRUE(plan.rooms[0].niches.empty());
+  ASSERT_EQ(plan.openings.size(), 1u);
+  EXPECT_LT(plan.openings[0].confidence, 0.05);
+}
+
 TEST(Niches, AShallowOneMayBeAClosedDoorOrABlind)
 {
   for (const double head : {2.05, 2.1})

@@ -212,4 +212,48 @@ TEST(UnexplainedCeilings, AreNoBeamsSoffitsRibsOrRooflights)
   EXPECT_TRUE(ribs.hanging().empty());
 }
 
+TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLampAndNoStrays)
+{
+  // Two ribs of 0.1 m x 0.2 m below a ceiling that was seen beside them, in each cell.
+  const Floorplan plan{{planned(1, 0, 4)}};
+  RoomWithParts ribs;
+  for (const float y : {0.8F, 2.2F}) {
+    addRectangle({0, y, 2.3F}, {4, 0, 0}, {0, 0.1F, 0}, ribs.cloud, 0.02F);
+    for (const float side : {0.0F, 0.1F})
+      addRectangle({0, y + side, 2.3F}, {4, 0, 0}, {0, 0, 0.2F}, ribs.cloud, 0.02F);
+  }
+  const auto found = unexplained(ribs.cloud, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::Standing);
+  EXPECT_NEAR(found[0].values[0], 2 * 4 * (2 * 0.2 + 0.1), 1) << "to a cell";
+  RoomWithParts lamp;
+  addRectangle({1.8F, 1.3F, 2.4F}, {0.4F, 0, 0}, {0, 0.4F, 0}, lamp.cloud, 0.02F);
+  EXPECT_TRUE(unexplained(lamp.cloud, plan).empty());
+  RoomWithParts strays; // one a tile and step, as between the edges of two things
+  addRectangle({0.5F, 1.5F, 1.9F}, {3, 0, 0}, {0, 0, 0.6F}, strays.cloud, 0.1F);
+  EXPECT_TRUE(unexplained(strays.cloud, plan).empty());
+}
+
+TEST(UnexplainedCeilings, AreLowerPartsThatEndBeforeTheirWall)
+{
+  for (const float gap : {0.02F, 0.08F}) { // at the wall at y = 3
+    RoomWithParts room(0.02F);
+    room.plan.rooms[0].details = {detailOf(rectangle(0, 2.6, 4, 3), 2.1)};
+    addRectangle({0, 2.6F, 2.1F}, {4, 0, 0}, {0, 0.4F - gap, 0}, room.cloud, 0.02F);
+    const auto found = unexplained(room.cloud, room.plan);
+    ASSERT_EQ(std::count_if(found.begin(), found.end(),
+                            [](const PlanWarning& warning) {
+                              return warning.kind == WarningKind::PartUnseen;
+                            }),
+              gap > 0.05F ? 1 : 0);
+    for (const PlanWarning& warning : found)
+      if (warning.kind == WarningKind::PartUnseen) {
+        EXPECT_NEAR(warning.values[0], 4 * gap, 0.1);
+        EXPECT_EQ(sentenceOf(warning).substr(12),
+                  "m2 of a lower part of its ceiling around (2.0, 3.0) were not seen: "
+                  "it may end before the wall");
+      }
+  }
+}
+
 } // namespace

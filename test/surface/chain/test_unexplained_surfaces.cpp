@@ -153,6 +153,45 @@ TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
   }
 }
 
+TEST(UnexplainedSurfaces, ArePilastersAtAWallThatAreNotAsDeepAsFurniture)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float top : {1.9F, 2.5F}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({0.12F, 1, 0}, {0, 0.8F, 0}, {0, 0, top}, cloud);
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), top < 2 ? 0u : 1u);
+    for (const PlanWarning& warning : found)
+      EXPECT_NEAR(warning.values[0], 0.8 * 2.5, 0.3);
+  }
+}
+
+TEST(UnexplainedSurfaces, AreWindowsAsHighAsTheirWallThatShowNothingButABack)
+{
+  for (const float beyond : {0.0F, 0.4F}) { // of it, where the back is 0.5 m deeper
+    Cloud cloud;
+    addRectangle({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+    addRectangle({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+    addRectangle({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+    addRectangle({0, 0, 0}, {0, 0.5F, 0}, {0, 0, 2.5F}, cloud);
+    addRectangle({0, 2.5F, 0}, {0, 0.5F, 0}, {0, 0, 2.5F}, cloud);
+    addRectangle({-0.3F, 0.5F, 0}, {0, 2 - beyond, 0}, {0, 0, 2.5F}, cloud);
+    addRectangle({-0.8F, 2.5F - beyond, 0}, {0, beyond, 0}, {0, 0, 2.5F}, cloud);
+    Floorplan plan{{planned(1, 0, 4)}};
+    plan.openings.resize(1);
+    plan.openings[0].walls = {{1, 3}};
+    plan.openings[0].start = {0, 0.5};
+    plan.openings[0].end = {0, 2.5};
+    plan.openings[0].bottom = 0.05;
+    plan.openings[0].top = 2.45;
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), beyond > 0 ? 0u : 1u);
+    for (const PlanWarning& warning : found)
+      EXPECT_EQ(sentenceOf(warning),
+                "wall 1.4: 4.8 m2 of what was seen there lie 30 cm behind it");
+  }
+}
+
 TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)
 {
   Floorplan plan{{planned(1, 0, 4)}};

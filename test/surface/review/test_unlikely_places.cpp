@@ -79,22 +79,4 @@ TEST(UnlikelyPlaces, EachKindAlone)
   EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::RaisedFloor});
 }
 
-TEST(UnlikelyPlaces, AreLowerPartsOfACeilingThatHideWhatIsBehindThem)
-{
-  Floorplan plan = plainRoom(); // a beam that may end 0.2 m before the wall
-  plan.rooms[0].details = {sedr_test::detailOf(rectangle(0, 2.4, 4, 3), 2.1)};
-  PlanSlab& beam = plan.rooms[0].details[0].slab;
-  for (const double inferred : {0.1, 0.4}) {
-    beam.inferred = inferred;
-    const auto found = unlikelyPlaces(plan);
-    ASSERT_EQ(found.size(), inferred > 0.2 ? 1u : 0u);
-    for (const PlanWarning& warning : found)
-      EXPECT_EQ(sentenceOf(warning),
-                "room 1: 1.0 m2 of a lower part of its ceiling around (2.0, 2.7) were "
-                "not seen: it may end before the wall");
-  }
-  beam.plane[3] = -5; // a part that is higher than the rest
-  EXPECT_TRUE(unlikelyPlaces(plan).empty());
-}
-
 } // namespace
