@@ -3,20 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl::sedr {
 
 namespace {
 
-constexpr double max_hidden = 5; // metres, between parts of a face, or to a corner
+constexpr double max_hidden = 5;   // metres, between parts of a face, or to a corner
+constexpr std::ptrdiff_t hole = 4; // bins, in the places on a face: they are sparse
 
 /** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
 void
 clean(std::vector<float>& bins)
 {
-  constexpr std::ptrdiff_t hole = 4;
   constexpr std::ptrdiff_t shortest = 3;
   for (const bool is_hole : {true, false})
     for (auto first = bins.begin(); first != bins.end();) {
@@ -115,7 +118,8 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
                        static_cast<std::uint32_t>(r));
     parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
     bodies.insert(bodies.end(), room.body_points.begin(), room.body_points.end());
-    levels_.insert(levels_.end(), room.body_levels.begin(), room.body_levels.end());
+    body_heights_.insert(body_heights_.end(), room.body_heights.begin(),
+                         room.body_heights.end());
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
@@ -201,19 +205,21 @@ LineEvidence::observe(StoreyLine& line) const
 void
 LineEvidence::findHeights(StoreyLine& line) const
 {
-  constexpr std::size_t reach = 2; // bins beside one: points are sparse
-  std::vector<std::uint32_t> levels(line.any.size(), 0);
+  using Levels = std::uint16_t; // a bit for each of as many shares of the height
+  const int count = std::numeric_limits<Levels>::digits;
+  std::vector<Levels> levels(line.any.size(), 0);
   forEachOn(line, bodies_, [&](std::size_t k, std::size_t i, double, double) {
-    levels[i] |= 1U << levels_[bodies_.given(k)];
+    const auto level =
+        static_cast<int>(body_heights_[bodies_.given(k)] * static_cast<float>(count));
+    levels[i] = static_cast<Levels>(levels[i] | 1U << std::min(level, count - 1));
   });
   line.height.clear();
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    std::uint32_t near = 0;
-    for (std::size_t k = i - std::min(i, reach);
-         k < std::min(levels.size(), i + reach + 1); ++k)
-      near |= levels[k];
+  for (auto at = levels.begin(); at != levels.end(); ++at) {
+    const auto first = at - std::min(hole, at - levels.begin());
+    const auto last = at + std::min(hole + 1, levels.end() - at);
+    const unsigned near = std::accumulate(first, last, 0U, std::bit_or<>());
     line.height.push_back(static_cast<float>(__builtin_popcount(near)) /
-                          RoomCells::levels);
+                          static_cast<float>(count));
   }
 }
 

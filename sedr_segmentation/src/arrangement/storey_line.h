@@ -94,7 +94,7 @@ private:
   std::vector<std::uint32_t> wall_rooms_; ///< by place as it was given
   PlanPoints parts_{{}, 1};               ///< RoomCells::part_points of all rooms
   PlanPoints bodies_{{}, 1};              ///< RoomCells::body_points of all rooms
-  std::vector<std::uint8_t> levels_;      ///< of them, as they were given
+  std::vector<float> body_heights_;       ///< as they were given
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
   std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
 };

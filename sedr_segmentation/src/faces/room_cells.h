@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <vector>
 
 namespace pcl::sedr {
@@ -48,8 +47,7 @@ struct RoomCells {
    * something was seen: little of a bulkhead's, much of a wall's. */
   std::vector<float> wall_shares;
   std::vector<Eigen::Vector2d> body_points; ///< of all heights, but floor and ceiling
-  std::vector<std::uint8_t> body_levels; ///< their heights, in `levels` of the room's
-  static constexpr int levels = 16;
+  std::vector<float> body_heights; ///< of them above the floor, shares of the room's
   /** @brief On surfaces of `riser`, and of `base` where none goes on to the ceiling. */
   std::vector<Eigen::Vector2d> part_points;
 

@@ -154,12 +154,10 @@ private:
     if (q.z() < cells_.top[at] + p_.rim)
       highest_[at] = std::max(highest_[at], q.z());
     if (const double above = q.z() - cells_.floor; above > p_.rim) {
-      const double share =
-          above / std::max<double>(p_.bin, cells_.top[at] - cells_.floor);
+      const double height = cells_.top[at] - cells_.floor;
       if (q.z() < cells_.top[at] - p_.rim) {
         cells_.body_points.push_back(place);
-        cells_.body_levels.push_back(
-            static_cast<std::uint8_t>(share * RoomCells::levels));
+        cells_.body_heights.push_back(static_cast<float>(above / height));
       }
       column.above_floor |= std::uint64_t{1}
                             << static_cast<int>(std::min(63.0, above / p_.bin));
