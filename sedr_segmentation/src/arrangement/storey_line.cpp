@@ -67,6 +67,17 @@ waysToSurface(const std::vector<float>& tall, bool back)
   return ways;
 }
 
+/** @brief Calls `visit(first, last)` for each value with those up to `reach` beside it.
+ */
+template <typename Value, typename Visitor>
+void
+forWindows(const std::vector<Value>& values, std::ptrdiff_t reach, Visitor visit)
+{
+  for (auto at = values.begin(); at != values.end(); ++at)
+    visit(at - std::min(reach, at - values.begin()),
+          at + std::min(reach + 1, values.end() - at));
+}
+
 } // namespace
 
 double
@@ -111,20 +122,21 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
     return dilated(cells, 1.5); // cells: also across corners
   };
   std::vector<Eigen::Vector2d> parts;
-  std::vector<Eigen::Vector2d> bodies;
+  std::vector<Eigen::Vector2d> places;
   for (const std::size_t r : storey.storey.rooms) {
     const RoomCells& room = storey.cells[r];
     wall_rooms_.resize(wall_rooms_.size() + room.wall_points.size(),
                        static_cast<std::uint32_t>(r));
     parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
-    bodies.insert(bodies.end(), room.body_points.begin(), room.body_points.end());
-    body_heights_.insert(body_heights_.end(), room.body_heights.begin(),
-                         room.body_heights.end());
+    for (const Eigen::Vector3f& p : room.height_points) {
+      places.emplace_back(p.head<2>().cast<double>());
+      heights_.push_back(p.z());
+    }
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
   parts_ = PlanPoints(parts, 2 * StoreyLine::bin);
-  bodies_ = PlanPoints(bodies, 2 * StoreyLine::bin);
+  height_points_ = PlanPoints(places, 2 * StoreyLine::bin);
 }
 
 bool
@@ -194,7 +206,6 @@ LineEvidence::observe(StoreyLine& line) const
     if (line.any[i] > 0 && (i + 1 == bins || !(line.any[i + 1] > 0)))
       line.edges.push_back(ends[i].second + StoreyLine::bin / 2);
   }
-  findHeights(line);
   line.tall = line.any;
   for (std::size_t i = 0; i < bins; ++i)
     if (line.tall[i] > 0 && !isIn(opaque_, cellAt(line, i)))
@@ -208,19 +219,23 @@ LineEvidence::findHeights(StoreyLine& line) const
   using Levels = std::uint16_t; // a bit for each of as many shares of the height
   const int count = std::numeric_limits<Levels>::digits;
   std::vector<Levels> levels(line.any.size(), 0);
-  forEachOn(line, bodies_, [&](std::size_t k, std::size_t i, double, double) {
+  forEachOn(line, height_points_, [&](std::size_t k, std::size_t i, double, double) {
     const auto level =
-        static_cast<int>(body_heights_[bodies_.given(k)] * static_cast<float>(count));
+        static_cast<int>(heights_[height_points_.given(k)] * static_cast<float>(count));
     levels[i] = static_cast<Levels>(levels[i] | 1U << std::min(level, count - 1));
   });
-  line.height.clear();
-  for (auto at = levels.begin(); at != levels.end(); ++at) {
-    const auto first = at - std::min(hole, at - levels.begin());
-    const auto last = at + std::min(hole + 1, levels.end() - at);
+  std::vector<float> shares;
+  forWindows(levels, hole, [&](auto first, auto last) {
     const unsigned near = std::accumulate(first, last, 0U, std::bit_or<>());
-    line.height.push_back(static_cast<float>(__builtin_popcount(near)) /
-                          static_cast<float>(count));
-  }
+    shares.push_back(static_cast<float>(__builtin_popcount(near)) /
+                     static_cast<float>(count));
+  });
+  // Beside its windows a wall is seen from floor to ceiling, a cornice nowhere.
+  line.height.clear();
+  const auto reach = static_cast<std::ptrdiff_t>(max_gap / StoreyLine::bin);
+  forWindows(shares, reach, [&](auto first, auto last) {
+    line.height.push_back(*std::max_element(first, last));
+  });
 }
 
 void
@@ -264,6 +279,7 @@ LineEvidence::extendToCorners(const std::vector<StoreyLine>& lines,
 void
 LineEvidence::findBetween(StoreyLine& line) const
 {
+  findHeights(line);
   const std::size_t bins = line.tall.size();
   const std::vector<double> since = waysToSurface(line.tall, true);
   const std::vector<double> until = waysToSurface(line.tall, false);

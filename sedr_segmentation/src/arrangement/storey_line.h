@@ -93,8 +93,8 @@ private:
   const FacePlaces& faces_;
   std::vector<std::uint32_t> wall_rooms_; ///< by place as it was given
   PlanPoints parts_{{}, 1};               ///< RoomCells::part_points of all rooms
-  PlanPoints bodies_{{}, 1};              ///< RoomCells::body_points of all rooms
-  std::vector<float> body_heights_;       ///< as they were given
+  PlanPoints height_points_{{}, 1};       ///< RoomCells::height_points of all rooms
+  std::vector<float> heights_;            ///< of them, as they were given
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
   std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
 };
