@@ -22,7 +22,7 @@ struct FaceCosts {
    * long face, in metres, and than this are not explained, nearer ones the less the
    * farther they are: of faces so near each other one is enough, unless they are long.
    */
-  double reach = 0.1;
+  double reach = 0.06;
 };
 
 /** @brief Finds lines and circles that explain places on the faces of walls: peaks of
