@@ -2,6 +2,7 @@
 #include "shared_values.h"
 
 #include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -12,7 +13,9 @@ struct ValueGroup {
   double mean = 0;
   double information = 0; ///< sum of the members' inverse variances
   double squares = 0;     ///< of their distances from the mean, in these
-  double members = 0;
+  std::size_t members = 0;
+  double evidence = 0; ///< log-evidence, but for what depends on the variances of its
+                       ///< members alone
 };
 
 class ValueGroups {
@@ -21,8 +24,13 @@ public:
       : interval_(interval)
       , period_(period)
   {
-    for (const MeasuredValue& each : values)
+    log_factorials_.push_back(0);
+    for (const MeasuredValue& each : values) {
       values_.push_back({each.value, 1 / each.variance, 0, 1});
+      setEvidence(values_.back());
+      log_factorials_.push_back(log_factorials_.back() +
+                                std::log(static_cast<double>(log_factorials_.size())));
+    }
     of_.assign(values.size(), values.size());
   }
 
@@ -35,6 +43,7 @@ public:
         is_moved = place(i) || is_moved;
       for (std::size_t a = 0; a < groups_.size(); ++a)
         is_moved = joinToBest(a) || is_moved;
+      dropEmptyGroups();
     }
     std::vector<std::size_t> first(groups_.size(), values_.size());
     for (std::size_t i = values_.size(); i-- > 0;)
@@ -59,6 +68,7 @@ private:
     both.squares +=
         b.squares + off * off * a.information * b.information / both.information;
     both.members += b.members;
+    setEvidence(both);
     return both;
   }
 
@@ -72,20 +82,19 @@ private:
         difference(member.mean, all.mean) * member.information / rest.information;
     const double off = difference(member.mean, rest.mean);
     rest.squares -= off * off * member.information * rest.information / all.information;
+    setEvidence(rest);
     return rest;
   }
 
-  /** @brief Returns the log-evidence of a group, but for what depends on the variances
-   * of its members alone. */
-  double evidence(const ValueGroup& group) const
+  void setEvidence(ValueGroup& group) const
   {
-    return std::lgamma(group.members) - group.squares / 2 - std::log(interval_) +
-           std::log(2 * M_PI / group.information) / 2;
+    group.evidence = log_factorials_[group.members - 1] - group.squares / 2 -
+                     std::log(interval_) + std::log(2 * M_PI / group.information) / 2;
   }
 
   double gain(const ValueGroup& a, const ValueGroup& b) const
   {
-    return evidence(sum(a, b)) - evidence(a) - evidence(b);
+    return sum(a, b).evidence - a.evidence - b.evidence;
   }
 
   /** @brief Moves a value to the group that gains most, or to one of its own. */
@@ -131,8 +140,23 @@ private:
     return true;
   }
 
+  void dropEmptyGroups()
+  {
+    std::vector<std::size_t> numbers;
+    std::vector<ValueGroup> groups;
+    for (const ValueGroup& group : groups_) {
+      numbers.push_back(groups.size());
+      if (group.members > 0)
+        groups.push_back(group);
+    }
+    for (std::size_t& group : of_)
+      group = numbers[group];
+    groups_ = std::move(groups);
+  }
+
   double interval_;
   double period_;
+  std::vector<double> log_factorials_;
   std::vector<ValueGroup> values_;
   std::vector<ValueGroup> groups_; ///< some without members
   std::vector<std::size_t> of_;    ///< group of each value

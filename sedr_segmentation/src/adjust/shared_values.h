@@ -17,7 +17,7 @@ struct MeasuredValue {
  * value lies anywhere in an interval, and a value is as probable as it is frequent
  * (Chinese restaurant process). Values join the group that gains most by them, first
  * in the given order, then in turn, and groups are joined, until nothing gains.
- * O(values x groups) a round.
+ * O(values x groups) a round, of which few are needed.
  * @param interval of the values
  * @param period of the values; 0: none
  * @return of each value the index of the first of its group */

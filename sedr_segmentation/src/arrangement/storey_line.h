@@ -35,7 +35,7 @@ struct StoreyLine : FaceCurve {
   std::vector<float> any;       ///< the most of them
   std::vector<float> height;    ///< share of the height at which it was seen
   std::vector<float> tall;      ///< the same where it reaches up to the ceiling
-  std::vector<float> part;      ///< 1 where one is on it below or above an opening
+  std::vector<float> part;      ///< 1 where a sill or lintel lies on it
   std::vector<Between> between; ///< of each bin where it does not reach up
   std::vector<double> edges;    ///< where the surface begins or ends, along the curve
 

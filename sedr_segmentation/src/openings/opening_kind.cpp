@@ -95,8 +95,11 @@ nameOpening(const OpeningFeatures& features,
   found.odds = std::log(std::max(any, niche) / none);
   const bool is_low =
       likeliest.second != OpeningKind::Window && o.height() < sizes.min_head;
-  // A recess that is no niche, such as a bay of the room, is next to no opening.
-  o.confidence = is_deep ? 0.01 : likeliest.first / (any + none + niche);
+  // A recess with nothing beyond it that is no niche, such as a bay of the room, is
+  // next to no opening.
+  o.confidence = is_deep && found.back.beyond <= Priors::share_little / 2
+                     ? 0.01
+                     : likeliest.first / (any + none + niche);
   o.kind = is_low || likeliest.first < opening_numbers.min_confidence * any
                ? OpeningKind::Unknown
                : likeliest.second;

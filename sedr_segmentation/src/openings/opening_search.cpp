@@ -22,8 +22,7 @@ areSame(const PlanOpening& a, const PlanOpening& b, double max_depth)
   const Eigen::Vector2d way = (a.end - a.start).normalized();
   const Eigen::Vector2d left(-way.y(), way.x());
   if (std::abs(way.dot((b.end - b.start).normalized())) < opening_numbers.min_cosine ||
-      std::abs(left.dot((b.start + b.end - a.start - a.end) / 2)) >
-          max_depth)
+      std::abs(left.dot((b.start + b.end - a.start - a.end) / 2)) > max_depth)
     return false;
   const double s0 = way.dot(b.start - a.start);
   const double s1 = way.dot(b.end - a.start);
@@ -336,7 +335,8 @@ OpeningSearch::keepEachOnce(double max_depth)
         std::find_if(found.begin(), found.end(), [&](const FoundOpening& other) {
           const bool are_back_to_back =
               other.isNiche() && candidate.isNiche() && other.side != candidate.side;
-          return !are_back_to_back && areSame(other.opening, candidate.opening, max_depth);
+          return !are_back_to_back &&
+                 areSame(other.opening, candidate.opening, max_depth);
         });
     if (same == found.end())
       found.push_back(candidate);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/priors.h>
+
 namespace pcl::sedr {
 
 /** @brief Log-likelihood ratios of "opening" over "wall" and costs of openings, in
@@ -32,14 +34,14 @@ struct OpeningWeights {
 /** @brief Sizes of openings and of what is beside them, metres. */
 struct OpeningSizes {
   double min_width = 0.35;
-  double min_height = 0.3;     ///< of a cellar window
-  double min_head = 1.75;      ///< height of a door
-  double max_gap = 12;         ///< of a bay, drawn to its pane
-  double max_depth = 0;        ///< of a wall: Priors::max_wall
-  double shallow = 0.3;        ///< of a wall without a known face behind it
-  double before = 1.2;         ///< depth of what hides it
-  double max_niche = 1;        ///< depth of a niche: Priors::max_niche_depth
-  double on_floor = 0.06;      ///< maximum height of a threshold
+  double min_height = 0.3;              ///< of a cellar window
+  double min_head = 1.75;               ///< height of a door
+  double max_gap = 12;                  ///< of a bay, drawn to its pane
+  double max_depth = Priors().max_wall; ///< of a wall
+  double shallow = 0.3;                 ///< of a wall without a known face behind it
+  double before = 1.2;                  ///< depth of what hides it
+  double max_niche = 1;                 ///< depth of a niche: Priors::max_niche_depth
+  double on_floor = 0.06;               ///< maximum height of a threshold
   double min_around = 0.3;     ///< share of jambs and head with a wall beside them
   double beside = 0.1;         ///< distance from them, beyond the points of a corner;
                                ///< a wall is looked for up to twice as far

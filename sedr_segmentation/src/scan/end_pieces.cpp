@@ -13,7 +13,9 @@
 
 namespace pcl::sedr {
 
+namespace {
 constexpr float least_step = 0.2F; // metres, of pieces
+} // namespace
 
 EndPieces
 piecesOf(const std::vector<ColumnGap>& gaps,

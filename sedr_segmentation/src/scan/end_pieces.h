@@ -56,7 +56,6 @@ struct EndPieces {
   std::vector<double> rises;        ///< sum of steps into the air from what is beside
   std::vector<double> borders;      ///< number of these steps
   std::vector<double> even_borders; ///< where the other end of the air has no step
-
   double large = 0;                 ///< area of large ones, square metres
 
   bool isLarge(std::uint32_t piece) const { return areas[piece] >= large; }

@@ -239,8 +239,7 @@ doubtOfUp(const PointView& points,
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const AirAlongAxes air(points, indices, stations, turn, !known.unit, priors,
-                         threads);
+  const AirAlongAxes air(points, indices, stations, turn, !known.unit, priors, threads);
   const auto upOf = [&](const Direction& up) -> Eigen::Vector3d {
     return up.sign * turn.row(static_cast<Eigen::Index>(up.axis));
   };

@@ -7,9 +7,9 @@
 
 namespace pcl::sedr {
 
-constexpr double whole = 0.9; ///< share of a wall
-
 namespace {
+
+constexpr double whole = 0.9; ///< share of a wall
 
 /** @brief Checks whether something takes up a wall from end to end and is no door. */
 bool
@@ -141,14 +141,19 @@ public:
     std::vector<CellValue> gaps;
     double area = 0; // of what is not in the model if that is no soffit but a beam
     for (std::size_t c = 0; c < map_.columns(); ++c) {
-      const double gap = map_.ceilingBefore(c);
       const double s = map_.cell() * (static_cast<double>(c) + 0.5);
       const Eigen::Vector2d at =
           side_.line.pointAt(s) + off_wall * side_.line.normalAt(s);
       const int part = room.detailAt(at);
-      if (gap < off_wall || !std::isfinite(gap) || s < from_ + off_wall ||
-          s > to_ - off_wall || part < 0 ||
+      if (s < from_ + off_wall || s > to_ - off_wall || part < 0 ||
           room.details[static_cast<std::size_t>(part)].is_facet)
+        continue;
+      double gap = map_.ceilingBefore(c);
+      if (!std::isfinite(gap)) // nothing of the part was seen there
+        for (gap = off_wall; gap < OpeningSizes().before &&
+                             room.detailAt(at + gap * side_.line.normalAt(s)) == part;)
+          gap += off_wall;
+      if (gap < off_wall)
         continue;
       const double drop = room.ceiling.heightAt(at) - room.ceilingAt(at);
       if (drop < off_wall)

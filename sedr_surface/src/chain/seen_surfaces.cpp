@@ -256,17 +256,24 @@ SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) cons
   for (std::size_t k = 0; k < steps.size(); ++k)
     if ((off_[room].at(steps[k].first).heights & top) != 0)
       meets[regions.label[k]] += wall_tile;
+  const PlanRoom& plan = rooms_[room].room();
+  const auto isTold = [&](const Eigen::Vector2d& at) { // as before a wall
+    return std::any_of(
+        warnings.begin(), warnings.end(), [&](const PlanWarning& warning) {
+          return warning.room == plan.id && warning.kind == WarningKind::WallOff &&
+                 warning.values[1] > 0 && warning.wall > 0 &&
+                 warning.wall <= plan.boundary.elements.size() &&
+                 plan.boundary.elements[warning.wall - 1].distance(at) <
+                     relief + wall_tile;
+        });
+  };
   std::vector<CellValue> told;
   for (std::size_t k = 0; k < steps.size(); ++k)
-    if (meets[regions.label[k]] >= min_strip)
+    if (meets[regions.label[k]] >= min_strip &&
+        !isTold(tiles_.centre(cellOf(steps[k].first))))
       told.push_back(steps[k]);
   const Patches found(told, wall_tile, 0);
-  double area = found.mean * found.area; // of the steps
-  const PlanRoom& plan = rooms_[room].room();
-  for (const PlanWarning& warning : warnings) // of what is close before walls
-    if (warning.room == plan.id && warning.kind == WarningKind::WallOff &&
-        warning.values[1] > 0)
-      area -= warning.values[0];
+  const double area = found.mean * found.area; // of the steps
   if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
 }

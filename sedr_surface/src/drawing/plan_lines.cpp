@@ -115,8 +115,8 @@ stairwellOf(const PlanStair& stair)
 
 /** @brief Adds the flights of all stairs: up to 1.2 m above the lower room's floor on a
  * plan with that room, whole on one that has the upper room only. What lies below
- * another flight that is drawn is left out, and what of a flight with an end in the
- * room is outside its walls. */
+ * another flight that is drawn is left out, and what of a flight within the room is
+ * beyond its walls. */
 void
 addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
 {

@@ -44,8 +44,10 @@ TEST(SharedValues, AreTwoIfTheyAreFarApart)
 
 TEST(SharedValues, AreTheSameAcrossTheEndOfAPeriod)
 {
-  const std::vector<MeasuredValue> values{
-      {0.78, 1e-4}, {-0.785, 1e-4}, {0.79, 1e-4}, {-0.78, 1e-4}};
+  const std::vector<MeasuredValue> values{{0.78, 1e-4},
+                                          {-0.785, 1e-4},
+                                          {0.79, 1e-4},
+                                          {-0.78, 1e-4}};
   EXPECT_EQ(groupsOf(values, M_PI / 2, M_PI / 2), 1u);
   EXPECT_EQ(groupsOf(values, M_PI / 2, 0), 2u);
 }

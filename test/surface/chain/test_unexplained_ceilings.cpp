@@ -234,6 +234,20 @@ TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLampAndNoStrays)
   EXPECT_TRUE(unexplained(strays.cloud, plan).empty());
 }
 
+TEST(UnexplainedCeilings, AreLowerPartsOfWhichNothingWasSeen)
+{
+  RoomWithParts room(0.02F); // from x = 2 m on
+  room.plan.rooms[0].details = {detailOf(rectangle(0, 2.6, 4, 3), 2.1)};
+  addRectangle({0, 2.6F, 2.1F}, {2, 0, 0}, {0, 0.4F, 0}, room.cloud, 0.02F);
+  const auto found = unexplained(room.cloud, room.plan);
+  const auto part = std::find_if(found.begin(), found.end(), [](const PlanWarning& w) {
+    return w.kind == WarningKind::PartUnseen;
+  });
+  ASSERT_NE(part, found.end());
+  EXPECT_NEAR(part->values[0], 2 * 0.4, 0.45) << "up to 1.2 m before its end, too";
+  EXPECT_NEAR(part->at.x(), 3, 0.2);
+}
+
 TEST(UnexplainedCeilings, AreLowerPartsThatEndBeforeTheirWall)
 {
   for (const float gap : {0.02F, 0.08F}) { // at the wall at y = 3

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element_changes.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>

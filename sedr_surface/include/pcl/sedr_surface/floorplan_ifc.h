@@ -156,17 +156,17 @@ struct IfcModel {
  * with quantities, part of its storey. It is a swept solid if floor and ceiling are
  * level and have no details, otherwise the triangles of extrudeRoom().
  *
- * Two faces of different rooms, at most Priors::max_wall apart, are an IfcWall of that thickness.
- * A wall with one face seen has the assumed thickness, which its Pset_SEDR states. The
- * x axis of a wall's placement runs along the wall. Floors and the uppermost ceilings
- * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
- * IfcCovering, narrow ones IfcBeam. Openings are cut in their walls and deeper
- * than these; niches are recesses. Stairs are IfcStair with their flights. Spaces refer
- * to the walls and slabs around them (IfcRelSpaceBoundary1stLevel). A storey lies at
- * its usual floor. Walls, doors and windows have the numbers of the sheet as tags,
- * their property sets (Pset_WallCommon, ...), their quantities to a millimetre, and
- * doors and windows their types. Pset_SEDR holds residuals, shares and numbers of
- * points.
+ * Two faces of different rooms, at most Priors::max_wall apart, are an IfcWall of that
+ * thickness. A wall with one face seen has the assumed thickness, which its Pset_SEDR
+ * states. The x axis of a wall's placement runs along the wall. Floors and the
+ * uppermost ceilings are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a
+ * ceiling are IfcCovering, narrow ones IfcBeam. Openings are cut in their walls and
+ * deeper than these; niches are recesses. Stairs are IfcStair with their flights.
+ * Spaces refer to the walls and slabs around them (IfcRelSpaceBoundary1stLevel). A
+ * storey lies at its usual floor. Walls, doors and windows have the numbers of the
+ * sheet as tags, their property sets (Pset_WallCommon, ...), their quantities to a
+ * millimetre, and doors and windows their types. Pset_SEDR holds residuals, shares and
+ * numbers of points.
  *
  * The same plan gives the same bytes; the same project, scan and element have the same
  * GUID.
