@@ -63,10 +63,10 @@ public:
       const Eigen::Vector2d p =
           line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
       const Eigen::Vector2d normal = leftOf(line.curve.tangentAt(p));
-      const bool goes_on = line.part[i] > 0;
+      const bool goes_on = line.between[i] == StoreyLine::Between::Partly;
       const bool is_beam = !is_wall && !is(base_, p);
-      lookBehind(p, normal, goes_on, is_beam);
-      lookBehind(p, -normal, goes_on, is_beam);
+      for (const Eigen::Vector2d& out : {normal, Eigen::Vector2d(-normal)})
+        lookBehind(p, out, goes_on, line.part[i] > 0, is_beam);
     }
   }
 
@@ -81,11 +81,12 @@ private:
   void lookBehind(const Eigen::Vector2d& p,
                   const Eigen::Vector2d& out,
                   bool goes_on,
+                  bool has_part,
                   bool is_beam)
   {
-    constexpr double before = 0.15;        // metres: here air of the room was seen
+    constexpr double deepest_blind = 0.2;  // metres
     constexpr double deepest_reveal = 0.4; // to a leaf, a blind or a back
-    if (!is(seen_, p - before * out) || !is(seen_, p - deepest_reveal * out))
+    if (!is(seen_, p - deepest_blind * out) || !is(seen_, p - deepest_reveal * out))
       return;
     const double size = grid_.size();
     const double step = size / 2;
@@ -109,7 +110,10 @@ private:
         if (is(seen_, p + d * out))
           return;
     const bool has_back = is(opaque_, end) && !is_before_room;
-    if (has_back && !goes_on)
+    // A back farther behind than blinds are is a reveal's if sill or lintel are on the
+    // line: what stands in an alcove is beside it.
+    const bool is_reveal = depth <= deepest_blind || depth > deepest_reveal || has_part;
+    if (has_back && (!goes_on || !is_reveal))
       return;
     CellMask& mask = has_back && depth > deepest_reveal ? found_.closed : found_.open;
     const Eigen::Vector2d along = 0.4 * StoreyLine::bin * leftOf(out);

@@ -179,10 +179,15 @@ TEST(PlanDocument, MayLackAllButThePlan)
 
 TEST(PlanDocument, RefusesWhatIsNoOriginOrThickness)
 {
-  const std::string text = floorplanToJson(samplePlan());
-  const auto problemWith = [&](const std::string& member) {
+  const auto problemWith = [](const std::string& member) {
+    std::string text = floorplanToJson(samplePlan());
+    const std::string key = member.substr(0, member.find(':'));
+    if (const std::size_t at = text.find(key); at != std::string::npos)
+      text.replace(at, text.find(',', at) + 1 - at, member);
+    else
+      text.insert(1, member);
     std::string problem;
-    documentFromJson("{" + member + text.substr(text.find("\"format\"") - 1), problem);
+    documentFromJson(text, problem);
     return problem;
   };
   const auto holds = [](const std::string& problem, const char* part) {
