@@ -183,9 +183,9 @@ TEST(PlanDocument, RefusesWhatIsNoOriginOrThickness)
     std::string text = floorplanToJson(samplePlan());
     const std::string key = member.substr(0, member.find(':'));
     if (const std::size_t at = text.find(key); at != std::string::npos)
-      text.replace(at, text.find(',', at) + 1 - at, member);
+      text.replace(at, text.find('\n', at) - at, member); // the last one
     else
-      text.insert(1, member);
+      text.insert(1, member + ",");
     std::string problem;
     documentFromJson(text, problem);
     return problem;
@@ -193,10 +193,10 @@ TEST(PlanDocument, RefusesWhatIsNoOriginOrThickness)
   const auto holds = [](const std::string& problem, const char* part) {
     return problem.find(part) != std::string::npos;
   };
-  EXPECT_TRUE(holds(problemWith(R"("max_wall": 1e9,)"),
+  EXPECT_TRUE(holds(problemWith(R"("max_wall": 1e9)"),
                     "the prior max_wall must be from 0.1 to 3"));
-  EXPECT_TRUE(holds(problemWith(R"("max_wall": "wide",)"), "must be number"));
-  EXPECT_TRUE(holds(problemWith(R"("levelling": {"rotation": 7},)"), "cannot be read"));
+  EXPECT_TRUE(holds(problemWith(R"("max_wall": "wide")"), "must be number"));
+  EXPECT_TRUE(holds(problemWith(R"("levelling": {"rotation": 7})"), "cannot be read"));
 }
 
 TEST(FloorplanJson, TruncatedTextIsRefusedWhereverItEnds)
