@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_line.h"
 
-#include "sedr_filters/src/base/quantiles.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -232,16 +230,11 @@ LineEvidence::findHeights(StoreyLine& line) const
     shares.push_back(static_cast<float>(__builtin_popcount(near)) /
                      static_cast<float>(count));
   });
-  // Beside its windows a wall is seen from floor to ceiling, a cornice only where other
-  // walls meet it: a quarter of what is seen within reach tells.
+  // Beside its windows a wall is seen from floor to ceiling.
   const auto reach = static_cast<std::ptrdiff_t>(max_gap / StoreyLine::bin);
   line.height.clear();
   forWindows(shares, reach, [&](auto first, auto last) {
-    std::vector<Weighted> seen;
-    for (auto at = first; at != last; ++at)
-      if (line.any[static_cast<std::size_t>(at - shares.begin())] > 0)
-        seen.emplace_back(*at, 1);
-    line.height.push_back(static_cast<float>(weightedQuantile(std::move(seen), 0.75)));
+    line.height.push_back(*std::max_element(first, last));
   });
 }
 

@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -269,6 +270,32 @@ profileOf(const IfcDocument& document, const WallSite& site, double bottom)
   return taken > 0 ? largestPartOutside(profile, bodies) : profile;
 }
 
+/** @brief Tells of each room which of its faces, longer than walls are thick, are of no
+ * wall. */
+void
+tellLostFaces(IfcDocument& document, const std::vector<PlanWall>& walls)
+{
+  const Floorplan& plan = document.plan;
+  std::set<WallFace> known;
+  for (const PlanWall& wall : walls) {
+    known.insert(wall.face);
+    if (wall.other)
+      known.insert(*wall.other);
+  }
+  std::map<std::uint32_t, std::string> lost; // by room
+  for (const WallFace& face : wallFaces(plan))
+    if (known.count(face) == 0 &&
+        elementOf(plan, face).length() > document.settings.max_wall) {
+      std::string& names = lost[plan.rooms[face.room].id];
+      names += (names.empty() ? "" : ", ") + numberOf(plan, face);
+    }
+  for (const auto& [room, names] : lost)
+    document.model.warnings.push_back(warningOf(
+        WarningKind::IfcLoss,
+        "no wall in the IFC for " + names + ": there the room meets another one", {},
+        room));
+}
+
 } // namespace
 
 std::vector<WrittenWall>
@@ -278,6 +305,7 @@ writeWalls(IfcDocument& document)
   WallParameters parameters{document.settings.max_wall};
   parameters.assumed_thickness = document.settings.assumed_thickness;
   const std::vector<PlanWall> walls = findWalls(plan, parameters);
+  tellLostFaces(document, walls);
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;
   for (const auto& [site, heights] : standingWalls(plan, walls)) {

@@ -55,25 +55,6 @@ TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
   EXPECT_LT(cornerError(fitted(points, parts).boundary, truth), 0.004);
 }
 
-TEST(FitRoom, ACorniceBelowTheCeilingIsNoWall)
-{
-  // 0.2 m high, before a wall that was seen below it.
-  for (const double depth : {0.05, 0.07, 0.1}) {
-    SCOPED_TRACE(depth);
-    const PlanLoop walls = rectangle(0.01, 0.01, 5.01, 4.01);
-    const double front = 4.01 - depth;
-    RoomPoints points(0.04, 0.002);
-    RoomParts parts = points.room(roomOf(walls, 2.6), [&](const Eigen::Vector3d& p) {
-      return p.y() < front || p.z() < 2.4;
-    });
-    parts.walls = joined(parts.walls,
-                         points.wall(segment({5.01, front}, {0.01, front}), 2.4, 2.6));
-    const PlanRoom room = fitted(points, parts);
-    ASSERT_EQ(room.boundary.elements.size(), 4u);
-    EXPECT_LT(cornerError(room.boundary, walls), 0.01);
-  }
-}
-
 TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
