@@ -237,6 +237,19 @@ TEST(WriteIfc, AnOpeningWithoutAWallIsTold)
   EXPECT_EQ(model.warnings[0].reason, "P1");
 }
 
+TEST(WriteIfc, FacesThatLieInAnotherRoomAreToldAsTheyHaveNoWall)
+{
+  Floorplan plan = joinedRooms();
+  plan.openings.clear();
+  plan.rooms[1].boundary = rectangle(3.99, 0, 8, 3);
+  const IfcModel model = writeIfc(plan);
+  ASSERT_EQ(model.warnings.size(), 2u);
+  EXPECT_EQ(model.warnings[0].kind, WarningKind::IfcLoss);
+  EXPECT_EQ(model.warnings[0].reason,
+            "no wall in the IFC for 1.2: there the room overlaps another one");
+  EXPECT_EQ(model.warnings[1].room, 2u);
+}
+
 TEST(WriteIfc, RoomsThatTouchAtAPassageEndAtAVirtualElement)
 {
   Floorplan plan = joinedRooms();

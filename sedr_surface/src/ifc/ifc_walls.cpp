@@ -270,8 +270,23 @@ profileOf(const IfcDocument& document, const WallSite& site, double bottom)
   return taken > 0 ? largestPartOutside(profile, bodies) : profile;
 }
 
+/** @brief Checks whether a face lies in another room, in part. */
+bool
+isInAnotherRoom(const Floorplan& plan, const WallFace& face)
+{
+  const PlanElement& element = elementOf(plan, face);
+  const PlanRoom& own = plan.rooms[face.room];
+  return std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+    const auto isInside = [&](double share) {
+      return room.contains(element.pointAt(share * element.length()));
+    };
+    return room.id != own.id && shareHeights(room, own) &&
+           (isInside(0.25) || isInside(0.5) || isInside(0.75));
+  });
+}
+
 /** @brief Tells of each room which of its faces, longer than walls are thick, are of no
- * wall. */
+ * wall as they lie in other rooms. */
 void
 tellLostFaces(IfcDocument& document, const std::vector<PlanWall>& walls)
 {
@@ -285,14 +300,15 @@ tellLostFaces(IfcDocument& document, const std::vector<PlanWall>& walls)
   std::map<std::uint32_t, std::string> lost; // by room
   for (const WallFace& face : wallFaces(plan))
     if (known.count(face) == 0 &&
-        elementOf(plan, face).length() > document.settings.max_wall) {
+        elementOf(plan, face).length() > document.settings.max_wall &&
+        isInAnotherRoom(plan, face)) {
       std::string& names = lost[plan.rooms[face.room].id];
       names += (names.empty() ? "" : ", ") + numberOf(plan, face);
     }
   for (const auto& [room, names] : lost)
     document.model.warnings.push_back(warningOf(
         WarningKind::IfcLoss,
-        "no wall in the IFC for " + names + ": there the room meets another one", {},
+        "no wall in the IFC for " + names + ": there the room overlaps another one", {},
         room));
 }
 
