@@ -278,7 +278,9 @@ isInAnotherRoom(const Floorplan& plan, const WallFace& face)
   const PlanRoom& own = plan.rooms[face.room];
   return std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
     const auto isInside = [&](double share) {
-      return room.contains(element.pointAt(share * element.length()));
+      constexpr double touching = 0.001; // metres
+      const Eigen::Vector2d p = element.pointAt(share * element.length());
+      return room.contains(p) && room.boundary.distance(p) > touching;
     };
     return room.id != own.id && shareHeights(room, own) &&
            (isInside(0.25) || isInside(0.5) || isInside(0.75));
