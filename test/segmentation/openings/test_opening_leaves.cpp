@@ -80,6 +80,16 @@ TEST(OpeningLeaves, ALeafThatStandsWideOpenHidesAWall)
       }
 }
 
+TEST(OpeningLeaves, WhatHidesAWallThatWasSeenFromTheOtherRoomIsNoLeaf)
+{
+  for (const double degrees : {10.0, 20.0, 40.0}) {
+    TwoRooms scene(0.003);
+    scene.scanMiddleWall({}, {door});
+    scene.scanLeaf(door.from, TwoRooms::face, -degrees, 0.88, 2);
+    EXPECT_TRUE(openingsOf(scene).empty()) << degrees;
+  }
+}
+
 TEST(OpeningLeaves, ALowSheetBelowACeilingIsNoLeaf)
 {
   TwoRooms scene(0.003);

@@ -153,6 +153,18 @@ TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
   }
 }
 
+TEST(UnexplainedSurfaces, AreThingsAlsoWhereMuchIsBeforeAWall)
+{
+  Cloud cloud = recessedRoom(0.08F);
+  for (const float y : {1.0F, 1.4F})
+    addRectangle({2, y, 0}, {0.8F, 0, 0}, {0, 0, 2.5F}, cloud);
+  const auto found = unexplained(cloud, {{planned(1, 0, 4)}});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].kind, WarningKind::WallOff);
+  EXPECT_EQ(found[1].kind, WarningKind::Standing);
+  EXPECT_NEAR(found[1].values[0], 2 * 0.8 * 2.5, 0.6);
+}
+
 TEST(UnexplainedSurfaces, ArePilastersAtAWallThatAreNotAsDeepAsFurniture)
 {
   const Floorplan plan{{planned(1, 0, 4)}};

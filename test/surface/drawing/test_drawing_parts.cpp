@@ -92,6 +92,19 @@ TEST(StairDrawing, AFlightEndsAtTheWallsOfItsRoom)
   }
 }
 
+TEST(StairDrawing, AFlightGoesOnWhereItLeavesItsRoom)
+{
+  Floorplan plan = storeysWithFlight();
+  plan.rooms[3].boundary = rectangle(4.05, 0, 6.6, 3); // beyond it is another part
+  const PlanDrawing drawing(plan, sheetOf(storeysOf(plan)[1]), 0);
+  std::set<double> treads;
+  for (const PlanLine& line : drawing.lines)
+    if (line.layer == PlanLayer::Stair && !line.element.isArc() &&
+        line.element.start.x() == line.element.end.x())
+      treads.insert(line.element.start.x());
+  EXPECT_EQ(treads.size(), 16u);
+}
+
 TEST(StairDrawing, WhereAStairLeadsIsWrittenInItsRoom)
 {
   // The ceiling has an edge before the foot of the stair, which texts avoid.
