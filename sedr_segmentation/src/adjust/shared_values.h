@@ -15,9 +15,8 @@ struct MeasuredValue {
 /** @brief Finds which of some values are one, such as the directions of walls or the
  * heights of floors: the grouping that makes the values most probable, if a group's
  * value lies anywhere in an interval, and a value is as probable as it is frequent
- * (Chinese restaurant process). Values join the group that gains most by them, first
- * in the given order, then in turn, and groups are joined, until nothing gains.
- * O(values x groups) a round, of which few are needed.
+ * (Chinese restaurant process). Values join the group that gains most by them, in the
+ * given order, then groups join while that gains. O(values x groups + groups^3).
  * @param interval of the values
  * @param period of the values; 0: none
  * @return of each value the index of the first of its group */

@@ -99,6 +99,15 @@ TEST(OpeningLeaves, ALowSheetBelowACeilingIsNoLeaf)
   EXPECT_TRUE(openingsOf(scene).empty());
 }
 
+TEST(OpeningLeaves, TheDoorOfAWallCupboardIsNoLeaf)
+{
+  TwoRooms scene(0.003);
+  scene.scanOuterWall({}, {{door.from, door.to, 1.4, 2.1}});
+  scene.scanLeaf(door.from, 0, 20, 0.88, 2.1);
+  scene.leaveOut([](const pcl::PointXYZ& p) { return p.y > 0.02 && p.z < 1.4; });
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
 TEST(OpeningLeaves, AScreenThatStandsAskewBeforeAWallIsNoLeaf)
 {
   for (const double off : {0.2, 0.4}) {

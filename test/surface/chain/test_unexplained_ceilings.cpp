@@ -234,6 +234,15 @@ TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLampAndNoStrays)
   EXPECT_TRUE(unexplained(strays.cloud, plan).empty());
 }
 
+TEST(UnexplainedCeilings, AreNotHigherPartsThatEndBeforeTheirWall)
+{
+  RoomWithParts room(0.02F);
+  room.plan.rooms[0].details = {detailOf(rectangle(0, 2.6, 4, 3), 2.8)};
+  addRectangle({0, 2.6F, 2.8F}, {4, 0, 0}, {0, 0.32F, 0}, room.cloud, 0.02F);
+  for (const PlanWarning& warning : unexplained(room.cloud, room.plan))
+    EXPECT_NE(warning.kind, WarningKind::PartUnseen);
+}
+
 TEST(UnexplainedCeilings, AreLowerPartsOfWhichNothingWasSeen)
 {
   RoomWithParts room(0.02F); // from x = 2 m on
