@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -157,21 +158,20 @@ takeAjarLeaves(std::vector<SidePoint>& points,
   std::vector<SidePoint> taken;
   if (!side.may_have_openings || side.line.isArc())
     return taken;
-  const double floor = side.floor;
   for (const LeafLine& leaf :
        leavesAmong(distancesOf(points, side, cell, sizes), cell, sizes)) {
     const auto first =
         std::stable_partition(points.begin(), points.end(), [&](const SidePoint& p) {
-          return p.height < floor + opening_numbers.slab_band ||
+          return p.height < side.floor + opening_numbers.slab_band ||
                  p.height > side.ceiling - opening_numbers.slab_band ||
                  !leaf.holds(p, sizes.leaf_strip);
         });
     std::vector<Weighted> heights;
     std::transform(first, points.end(), std::back_inserter(heights),
                    [](const SidePoint& p) { return Weighted(p.height, 1); });
-    // A tenth of a door is above, and as much below, what is lower or hangs.
-    if (weightedQuantile(heights, 0.9) < floor + sizes.min_head - sizes.leaf_margin ||
-        weightedQuantile(heights, 0.1) > floor + sizes.min_head / 2)
+    // A tenth of a door is above what is lower.
+    if (weightedQuantile(std::move(heights), 0.9) <
+        side.floor + sizes.min_head - sizes.leaf_margin)
       continue;
     taken.insert(taken.end(), first, points.end());
     points.erase(first, points.end());

@@ -237,8 +237,8 @@ TEST(UnexplainedCeilings, AreRibsThatThePlanDoesNotHaveButNoLampAndNoStrays)
 TEST(UnexplainedCeilings, AreNotHigherPartsThatEndBeforeTheirWall)
 {
   RoomWithParts room(0.02F);
-  room.plan.rooms[0].details = {detailOf(rectangle(0, 2.6, 4, 3), 2.8)};
-  addRectangle({0, 2.6F, 2.8F}, {4, 0, 0}, {0, 0.32F, 0}, room.cloud, 0.02F);
+  room.plan.rooms[0].details = {detailOf(rectangle(0, 1.6, 4, 3), 2.7)};
+  addRectangle({0, 1.6F, 2.7F}, {4, 0, 0}, {0, 0.6F, 0}, room.cloud, 0.02F);
   for (const PlanWarning& warning : unexplained(room.cloud, room.plan))
     EXPECT_NE(warning.kind, WarningKind::PartUnseen);
 }
