@@ -195,7 +195,8 @@ StoreyCosts::addFronts(const StoreyEvidence& evidence,
       if (side == 0)
         continue;
       const bool on_left = side > 0;
-      const double cost = certainty_ * static_cast<double>(seen[i]) * length;
+      const double cost =
+          certainty_ * static_cast<double>(seen[i] * line.height[i]) * length;
       CellCost& front = of_cell_[on_left ? border.left : border.right];
       front.none += cost;
       front.moreOf(label_of_[room]) -= cost;

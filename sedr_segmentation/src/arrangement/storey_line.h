@@ -33,6 +33,7 @@ struct StoreyLine : FaceCurve {
   std::map<std::uint32_t, std::vector<float>>
       seen;                     ///< share explained, by room and bin
   std::vector<float> any;       ///< the most of them
+  std::vector<float> height;    ///< share of the height at which it was seen
   std::vector<float> tall;      ///< the same where it reaches up to the ceiling
   std::vector<float> part;      ///< 1 where a sill or lintel lies on it
   std::vector<Between> between; ///< of each bin where it does not reach up
@@ -84,6 +85,7 @@ private:
   template <typename Visitor>
   void forEachOn(const StoreyLine& line, const PlanPoints& points, Visitor visit) const;
 
+  void findHeights(StoreyLine& line) const;
   Cell cellAt(const StoreyLine& line, std::size_t bin) const;
   static bool isIn(const std::vector<CellMask>& masks, Cell cell);
 
@@ -91,6 +93,8 @@ private:
   const FacePlaces& faces_;
   std::vector<std::uint32_t> wall_rooms_; ///< by place as it was given
   PlanPoints parts_{{}, 1};               ///< RoomCells::part_points of all rooms
+  PlanPoints height_points_{{}, 1};       ///< RoomCells::height_points of all rooms
+  std::vector<float> heights_;            ///< of them, as they were given
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams
   std::vector<CellMask> part_;   ///< beside surfaces below a window or above it
 };

@@ -116,6 +116,11 @@ public:
       }
     std::vector<int> every(costs.labels());
     std::iota(every.begin(), every.end(), 0);
+    for (half_price_ = 2; half_price_ > 0.05; half_price_ /= 2) // metres
+      expand(every, nullptr, 4);
+    half_price_ = 0;
+    for (std::size_t line = 0; line < uses_.size(); ++line)
+      may_use_[line] = uses_[line].borders > 0 ? 1 : 0;
     expand(every, nullptr, 4);
     while (prune())
       expand(every, nullptr, 4);
@@ -144,7 +149,33 @@ private:
     return labels_[borders_[b].left] != labels_[borders_[b].right];
   }
 
-  double priceOf(std::size_t line) const { return price_ * lines_[line].parameters; }
+  /** @brief Returns what the use of a line costs: all or nothing, or, while
+   * `half_price_` is above zero, the more the more of the line is in use. Lines then
+   * compete all at once, in cuts that know the slope of this concave price, see
+   * rateOf() (majorisation). */
+  double priceOf(std::size_t line) const
+  {
+    const LineUse& use = uses_[line];
+    return use.borders == 0 ? 0
+                            : price_ * lines_[line].parameters * use.length /
+                                  (use.length + half_price_);
+  }
+
+  /** @brief Returns what a metre more of a line would cost. */
+  double rateOf(std::size_t line) const
+  {
+    const double length = uses_[line].length + half_price_;
+    return half_price_ > 0
+               ? price_ * lines_[line].parameters * half_price_ / (length * length)
+               : 0;
+  }
+
+  /** @brief Returns what a border costs in a cut. */
+  double cutCost(std::size_t b, int left, int right) const
+  {
+    return borderCost(b, left, right) +
+           (left == right ? 0 : rateOf(borders_[b].line) * borders_[b].length());
+  }
 
   /** @brief Sets labels. Returns by how much the energy rises. */
   double set(const Changes& changes)
@@ -159,11 +190,10 @@ private:
           if (!isWall(b))
             continue;
           LineUse& use = uses_[border.line];
-          const bool was_used = use.borders > 0;
+          rise -= priceOf(border.line);
           use.borders += static_cast<std::size_t>(sign);
           use.length = use.borders > 0 ? use.length + sign * border.length() : 0;
-          if (was_used != (use.borders > 0))
-            rise += sign * priceOf(border.line);
+          rise += priceOf(border.line);
         }
       };
       add(-1);
@@ -219,17 +249,16 @@ private:
         const int right = labels_[border.right];
         const std::size_t other = border.left == c ? border.right : border.left;
         if (local_[other] == none) {
-          no += borderCost(b, left, right);
-          yes += border.left == c ? borderCost(b, alpha, right)
-                                  : borderCost(b, left, alpha);
+          no += cutCost(b, left, right);
+          yes += border.left == c ? cutCost(b, alpha, right) : cutCost(b, left, alpha);
           continue;
         }
         if (border.left != c)
           continue;
-        const double no_yes = borderCost(b, left, alpha);
-        const double yes_no = borderCost(b, alpha, right);
+        const double no_yes = cutCost(b, left, alpha);
+        const double yes_no = cutCost(b, alpha, right);
         // A thin part of `alpha` between two others may cost less than their border.
-        const double no_no = std::min(borderCost(b, left, right), no_yes + yes_no);
+        const double no_no = std::min(cutCost(b, left, right), no_yes + yes_no);
         if (no_yes + yes_no > 0)
           cut.addPair(i, local_[other], no_no, no_yes, yes_no, 0);
       }
@@ -314,6 +343,7 @@ private:
   const std::vector<StoreyLine>& lines_;
   const std::vector<CellBorder>& borders_;
   double price_;
+  double half_price_ = 0; ///< length of a line, metres, whose use costs half its price
   std::vector<std::uint8_t> may_use_; ///< of each line
   std::vector<LineUse> uses_;
   std::vector<std::vector<std::size_t>> of_line_; ///< its borders

@@ -46,6 +46,9 @@ struct RoomCells {
   /** @brief Of the height from floor to ceiling at each of them, the share at which
    * something was seen: little of a bulkhead's, much of a wall's. */
   std::vector<float> wall_shares;
+  /** @brief Near what reaches up to a ceiling: x, y, and the height above the floor as
+   * a share of the room's. */
+  std::vector<Eigen::Vector3f> height_points;
   /** @brief On surfaces of `riser`, and of `base` where none goes on to the ceiling. */
   std::vector<Eigen::Vector2d> part_points;
 

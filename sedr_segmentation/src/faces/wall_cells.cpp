@@ -83,6 +83,7 @@ public:
       if (!cells_.riser.values()[at] || isTall(at))
         columns_[at].places.setZero();
     takePlaces();
+    takeHeights();
     takeLintels();
     for (const auto& [cell, at] : below_sill_)
       if (cells_.base.values()[cell] && !cells_.solid.values()[cell])
@@ -154,6 +155,10 @@ private:
     if (q.z() < cells_.top[at] + p_.rim)
       highest_[at] = std::max(highest_[at], q.z());
     if (const double above = q.z() - cells_.floor; above > p_.rim) {
+      const float height = static_cast<float>(above) /
+                           (cells_.top[at] - static_cast<float>(cells_.floor));
+      if (q.z() < cells_.top[at] - p_.rim)
+        heights_.emplace_back(at, Eigen::Vector3f(q.x(), q.y(), height));
       column.above_floor |= std::uint64_t{1}
                             << static_cast<int>(std::min(63.0, above / p_.bin));
       if (above < p_.sill)
@@ -260,6 +265,16 @@ private:
     }
   }
 
+  /** @brief Takes the heights of points in and beside cells of surfaces. */
+  void takeHeights()
+  {
+    const CellMask surfaces =
+        dilated(unite(unite(cells_.solid, cells_.riser), cells_.pillar), 2);
+    for (const auto& [cell, point] : heights_)
+      if (surfaces.values()[cell])
+        cells_.height_points.push_back(point);
+  }
+
   /** @brief Takes one point of each cell of a lintel; cells without any are none. */
   void takeLintels()
   {
@@ -295,6 +310,7 @@ private:
   CellMask below_ceiling_;
   std::vector<WallPlace> places_;
   std::vector<std::pair<std::size_t, Eigen::Vector2d>> below_sill_; ///< points, by cell
+  std::vector<std::pair<std::size_t, Eigen::Vector3f>> heights_;    ///< likewise
 };
 
 } // namespace
