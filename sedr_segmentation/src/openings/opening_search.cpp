@@ -73,12 +73,42 @@ revealDepth(const WallMap& map, const WallRectangle& at)
   return std::min(std::max(*deep / share, opening_numbers.usual_wall), deepest);
 }
 
-/** @brief Adds the wall of a side; none of a column. */
-void
-addWall(const Floorplan& plan, const WallSide& side, PlanOpening& opening)
+/** @brief Returns how much of an opening lies beside the element of a side, metres. */
+double
+lengthBeside(const Floorplan& plan, const WallSide& side, const PlanOpening& opening)
 {
-  if (side.isWall())
-    opening.walls.push_back({plan.rooms[side.room].id, side.element});
+  const PlanElement& element = side.in(plan);
+  const auto [from, to] =
+      std::minmax({element.project(opening.start), element.project(opening.end)});
+  return to - from;
+}
+
+/** @brief Names the wall on which an opening was found, none of a column: of the
+ * elements over which its side goes on that beside which most of the opening lies. */
+void
+addWall(const Floorplan& plan,
+        const std::vector<WallSide>& sides,
+        const WallSide& side,
+        double max_depth,
+        PlanOpening& opening)
+{
+  if (!side.isWall())
+    return;
+  const WallSide* wall = &side;
+  double most = lengthBeside(plan, side, opening);
+  for (const WallSide& other : sides) {
+    if (other.room != side.room || !other.isWall() || other.line.isArc() ||
+        side.line.isArc() ||
+        other.line.normalAt(0).dot(side.line.normalAt(0)) <
+            opening_numbers.min_cosine ||
+        std::abs(side.offset(other.in(plan).pointAt(0))) > max_depth)
+      continue;
+    if (const double length = lengthBeside(plan, other, opening); length > most) {
+      most = length;
+      wall = &other;
+    }
+  }
+  opening.walls.push_back({plan.rooms[side.room].id, wall->element});
 }
 
 /** @brief Finds what may be openings on all sides. */
@@ -240,14 +270,8 @@ private:
     const bool is_paired = candidate.behind < search_.sides.size();
     const Eigen::Vector2d place = side.line.pointAt((at.from + at.to) / 2);
     PlanOpening& o = candidate.opening;
-    addWall(plan_, side, o);
-    if (is_paired) {
-      const WallSide& other = search_.sides[candidate.behind];
-      addWall(plan_, other, o);
-      o.depth = -other.offset(place);
-    }
-    else
-      o.depth = revealDepth(map, at);
+    o.depth = is_paired ? -search_.sides[candidate.behind].offset(place)
+                        : revealDepth(map, at);
     const auto onMiddleLine = [&](double s) {
       s = std::clamp(s, 0.0, side.line.length());
       return Eigen::Vector2d(side.line.pointAt(s) -
@@ -255,6 +279,10 @@ private:
     };
     o.start = onMiddleLine(at.from);
     o.end = onMiddleLine(at.to);
+    addWall(plan_, search_.sides, side, sizes_.max_depth, o);
+    if (is_paired)
+      addWall(plan_, search_.sides, search_.sides[candidate.behind], sizes_.max_depth,
+              o);
     o.bottom = at.bottom;
     o.top = at.top;
     o.rise = at.rise;
