@@ -12,9 +12,7 @@ import json
 import numpy as np
 
 import opening_grades
-from buildings import grades, instrument, runs
-from buildings.build import build
-from buildings.kinds import KINDS
+from buildings import grades, runs
 from proving import meshes
 
 FAR = 0.05     # metres: another surface
@@ -115,8 +113,6 @@ def errors_of(folder, plan):
                      places.mean(0)])
     true = opening_grades.true_openings(folder)
     openings = opening_grades.found_openings(folder / plan)
-    for o in openings:
-        o["a"], o["b"], o["bottom"], o["top"] = o["a"] + origin[:2], o["b"] + origin[:2], o["bottom"] + origin[2], o["top"] + origin[2]
     for i, j in opening_grades.pairs(true, openings):
         stated = openings[j]["edges"]
         if (true[i]["b"] - true[i]["a"]) @ (openings[j]["b"] - openings[j]["a"]) < 0:
@@ -159,21 +155,17 @@ def table(rows):
 
 def main():
     parser = runs.parser(__doc__, "buildings")
-    parser.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
     parser.add_argument("--measured", action="store_true",
                         help="points with the errors of real scans, see random_buildings.py; what moves a whole plan is taken out")
     found = []
 
     def one_building(seed, folder, options):
-        row = runs.scan(build(seed, options.kind), seed, folder, options)
-        if options.measured:
-            instrument.spoil(folder, seed)
-        figures, row["message"] = runs.model(folder, options)
+        row = runs.building(seed, folder, options, options.measured)
         mine = errors_of(folder, "out/floorplan.json") if (folder / "out/floorplan.json").exists() else []
         found.extend(without_datum(mine) if options.measured else mine)
-        return dict(row, surfaces=len(mine), **figures)
+        return dict(row, surfaces=len(mine))
 
-    runs.all_seeds(parser.parse_args(), ["pcl_simulate_indoor_scan"], one_building, lambda _: table(found))
+    runs.all_seeds(parser.parse_args(), [], one_building, lambda _: table(found))
 
 
 if __name__ == "__main__":

@@ -31,8 +31,11 @@ def true_openings(folder):
 
 
 def found_openings(path):
+    """Openings of a plan, in the frame of the scan."""
     plan = json.loads(path.read_text(encoding="utf-8"))
-    return [dict(o, a=np.array(o["start"]), b=np.array(o["end"])) for o in plan.get("openings", [])]
+    x, y, z = plan.get("origin", [0, 0, 0])
+    return [dict(o, a=o["start"] + np.array([x, y]), b=o["end"] + np.array([x, y]), bottom=o["bottom"] + z, top=o["top"] + z)
+            for o in plan.get("openings", [])]
 
 
 def true_niches(folder):

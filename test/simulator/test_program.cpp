@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "says.h"
 #include "tools/in_folder.h"
 
 #include <sstream>
@@ -29,8 +30,7 @@ TEST_F(Program, writesScanAndTruthIntoANewFolder)
   EXPECT_TRUE(outcome.err.empty()) << outcome.err;
   EXPECT_EQ(bytesOf(in("new/sub/scan.pcd")).rfind("# .PCD", 0), 0U);
   EXPECT_EQ(bytesOf(in("new/sub/truth.ply")).rfind("ply\n", 0), 0U);
-  EXPECT_NE(bytesOf(in("new/sub/truth.json")).find("\"sedr-room-truth\""),
-            std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("new/sub/truth.json")), "\"sedr-room-truth\""));
   EXPECT_FALSE(bytesOf(in("new/sub/positions.txt")).empty());
   const auto begin = std::filesystem::directory_iterator(in("new/sub"));
   EXPECT_EQ(std::distance(begin, std::filesystem::directory_iterator()), 4);
@@ -53,12 +53,12 @@ TEST_F(Program, listsItsScenesAndOptions)
   const auto list = run("--list");
   EXPECT_EQ(list.exit_code, 0);
   for (const char* name : {"bls_room", "hls_hall", "syn_flat"})
-    EXPECT_NE(list.out.find(name), std::string::npos) << name;
-  EXPECT_NE(list.out.find("--noise 0.02"), std::string::npos) << list.out;
+    EXPECT_TRUE(says(list.out, name));
+  EXPECT_TRUE(says(list.out, "--noise 0.02"));
   const auto help = run("-h");
   EXPECT_EQ(help.exit_code, 0);
   for (const char* name : {"--seed", "--noise", "--rays", "--max-range", "--threads"})
-    EXPECT_NE(help.out.find(name), std::string::npos) << name;
+    EXPECT_TRUE(says(help.out, name));
 }
 
 TEST_F(Program, scansTheFileThatItPrints)

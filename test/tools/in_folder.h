@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "says.h"
 #include "tools/run_program.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ expectSentence(const ProgramRun& result, int exit_code, const std::string& words
 {
   EXPECT_EQ(result.exit_code, exit_code) << result.err;
   EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-  EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  EXPECT_TRUE(says(result.err, words));
 }
 
 /** Runs a program without a terminal, with options after its arguments. */

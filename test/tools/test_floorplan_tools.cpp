@@ -114,9 +114,7 @@ TEST(FloorplanExtrusionTool, ContradictionsAreTold)
   const ProgramRun result =
       run(FLOORPLAN_EXTRUSION, {file, (folder.path() / "solid.ply").string()});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.err.find("warning: room 1: a part of its ceiling around (0.5, "),
-            std::string::npos)
-      << result.err;
+  EXPECT_TRUE(says(result.err, "warning: room 1: a part of its ceiling around (0.5, "));
 }
 
 TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
@@ -130,7 +128,7 @@ TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
   writeFile(file, pcl::sedr::floorplanToJson({{good, bad}}));
   ProgramRun result = run(FLOORPLAN_EXTRUSION, {file, solid});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.err.find("room 2"), std::string::npos) << result.err;
+  EXPECT_TRUE(says(result.err, "room 2"));
   EXPECT_TRUE(std::filesystem::exists(solid));
   writeFile(file, pcl::sedr::floorplanToJson({{bad}}));
   std::filesystem::remove(solid);
@@ -161,8 +159,8 @@ TEST_F(StoreyDrawings, AreOneAStoreyWithItsNumber)
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has("out_1.svg") && has("out_2.svg"));
   EXPECT_FALSE(has("out.svg"));
-  EXPECT_NE(bytesOf(in("out_2.svg")).find("Room 4"), std::string::npos);
-  EXPECT_EQ(bytesOf(in("out_2.svg")).find("Room 1"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("out_2.svg")), "Room 4"));
+  EXPECT_FALSE(says(bytesOf(in("out_2.svg")), "Room 1"));
 }
 
 TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
@@ -171,18 +169,17 @@ TEST_F(StoreyDrawings, OfOneThatIsAskedForHaveTheNameAsGiven)
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has("out.svg"));
   EXPECT_FALSE(has("out_1.svg") || has("out_2.svg"));
-  EXPECT_NE(bytesOf(in("out.svg")).find(">storey 2<"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("out.svg")), ">storey 2<"));
 }
 
 TEST_F(StoreyDrawings, SectionsAndElevationsAreDrawnInstead)
 {
   EXPECT_EQ(draw({"--section", "rooms"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("out.svg")).find("Room 4"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("out.svg")), "Room 4"));
   EXPECT_EQ(draw({"--section", "0,1,9,1.5"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("out.svg")).find("0.00, 1.00 and 9.00, 1.50"),
-            std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("out.svg")), "0.00, 1.00 and 9.00, 1.50"));
   EXPECT_EQ(draw({"--elevations", "3"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("out.svg")).find(">3.1<"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("out.svg")), ">3.1<"));
   for (const Strings& wrong :
        {Strings{"--section", "stairs"}, Strings{"--section", "1,2,1,2"},
         Strings{"--section", "1,2,3"}, Strings{"--section", "50,50,51,50"},
@@ -240,7 +237,7 @@ TEST_F(StoreyDrawings, OfHundredsOfRoomsAreMade)
   }
   writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
   EXPECT_EQ(draw({}).exit_code, 0) << "within a minute";
-  EXPECT_NE(bytesOf(in("out.svg")).find("id=\"room_500\""), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("out.svg")), "id=\"room_500\""));
 }
 
 TEST_F(StoreyDrawings, OfARoomThatCrossesItselfAreDoubted)
@@ -252,11 +249,9 @@ TEST_F(StoreyDrawings, OfARoomThatCrossesItselfAreDoubted)
   walls[0].end = walls[1].start = {1, 4.5}; // across the opposite wall
   writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
   const ProgramRun result = draw({});
-  EXPECT_NE(
-      result.err.find(
-          "outlines cannot be right (rooms: 1), that of room 7 crosses itself near"),
-      std::string::npos)
-      << result.err;
+  EXPECT_TRUE(
+      says(result.err,
+           "outlines cannot be right (rooms: 1), that of room 7 crosses itself near"));
 }
 
 TEST_F(StoreyDrawings, OfRoomsAndColumnsAtOnePlaceAreDoubted)
@@ -278,7 +273,7 @@ TEST_F(StoreyDrawings, OfRoomsAndColumnsAtOnePlaceAreDoubted)
         "column 3 of room 7 by 0.5 m2",
         "columns overlap by 0.5 m2 (places: 1), most column 1 of room "
         "7 and its column 2 by 0.5 m2"})
-    EXPECT_NE(told.find(words), std::string::npos) << told;
+    EXPECT_TRUE(says(told, words));
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 3) << told;
 }
 
@@ -292,9 +287,9 @@ TEST_F(StoreyDrawings, HaveTheTextsOfTheReportBesideThePlanUnlessOthersAreGiven)
                 .exit_code,
             0);
   const std::string svg = bytesOf(in("out.svg"));
-  EXPECT_NE(svg.find("Smith"), std::string::npos);
-  EXPECT_NE(svg.find("Lee"), std::string::npos);
-  EXPECT_EQ(svg.find("EK"), std::string::npos);
+  EXPECT_TRUE(says(svg, "Smith"));
+  EXPECT_TRUE(says(svg, "Lee"));
+  EXPECT_FALSE(says(svg, "EK"));
 }
 
 TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
@@ -329,10 +324,9 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
           {plan, output, "--move-wall", "1.2=-0.5", "--split", "1,2,-1,2,5", "--name",
            "1=Kitchen;2=a=b, c", "--opening", "D1,kind=none;D2,kind=window,sill=0.3"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("wall 1.2 is moved inwards by 0.500 m; room 1 has 18.00 m2 "
-                            "in place of 20.00\n"),
-            std::string::npos)
-      << result.out;
+  EXPECT_TRUE(says(result.out,
+                   "wall 1.2 is moved inwards by 0.500 m; room 1 has 18.00 m2 "
+                   "in place of 20.00\n"));
   std::string problem;
   const auto edited = pcl::sedr::floorplanFromJson(bytesOf(output), problem);
   ASSERT_EQ(edited.rooms.size(), 2U) << problem;

@@ -155,9 +155,9 @@ TEST_F(RoomSegmentationTool, ABuildingHasTheGapsOfItsRoomsInRuns)
   pcl::sedr::BuildingRoom& room = building.rooms.emplace_back();
   for (const int x : {-2, -1, 0, 1, 4}) // two runs, and one after a gap
     room.columns.push_back({{x, 7}, x < 0 ? 0.05F : 0.1F, 2.5F, true, x != 4});
-  EXPECT_NE(pcl::sedr::tools::buildingToJson(building).find(
-                "\"gaps\":[[-2,7,2,0.05,2.5,3],[0,7,2,0.1,2.5,3],[4,7,1,0.1,2.5,1]]"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(pcl::sedr::tools::buildingToJson(building),
+           "\"gaps\":[[-2,7,2,0.05,2.5,3],[0,7,2,0.1,2.5,3],[4,7,1,0.1,2.5,1]]"));
 }
 
 } // namespace

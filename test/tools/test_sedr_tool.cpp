@@ -28,16 +28,16 @@ expectSolidAndDrawings(const std::string& model, const nlohmann::json& told)
     EXPECT_EQ(solid.triangles.size(), 12u) << "a box";
     EXPECT_NEAR(solid.signedVolume(), 30, 0.2) << "outwards";
   }
-  EXPECT_NE(bytesOf(model + "solid.mtl").find("newmtl wall"), std::string::npos);
-  EXPECT_NE(bytesOf(model + "floorplan.svg").find("Room 1"), std::string::npos);
-  EXPECT_NE(bytesOf(model + "floorplan.dxf").find("AC1027"), std::string::npos);
-  EXPECT_NE(bytesOf(model + "ceiling.svg").find(">ceiling 12.0"), std::string::npos);
-  EXPECT_NE(bytesOf(model + "section_rooms.svg").find(">h 2.5"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(model + "solid.mtl"), "newmtl wall"));
+  EXPECT_TRUE(says(bytesOf(model + "floorplan.svg"), "Room 1"));
+  EXPECT_TRUE(says(bytesOf(model + "floorplan.dxf"), "AC1027"));
+  EXPECT_TRUE(says(bytesOf(model + "ceiling.svg"), ">ceiling 12.0"));
+  EXPECT_TRUE(says(bytesOf(model + "section_rooms.svg"), ">h 2.5"));
   for (const char* name : {"ceiling.pdf", "ceiling.dxf", "section_rooms.dxf"})
     EXPECT_TRUE(std::filesystem::exists(model + name)) << name;
   const std::string ifc = bytesOf(model + "model.ifc");
-  EXPECT_NE(ifc.find("FILE_SCHEMA(('IFC4'))"), std::string::npos);
-  EXPECT_NE(ifc.find("=IFCSPACE("), std::string::npos);
+  EXPECT_TRUE(says(ifc, "FILE_SCHEMA(('IFC4'))"));
+  EXPECT_TRUE(says(ifc, "=IFCSPACE("));
   EXPECT_EQ(bytesOf(model + "model.glb").substr(0, 4), "glTF");
   EXPECT_EQ(told.at("closed_manifold"), true);
   EXPECT_NEAR(told.at("volume").get<double>(), 30, 0.2);
@@ -49,8 +49,8 @@ expectSolidAndDrawings(const std::string& model, const nlohmann::json& told)
 void
 expectOnlySparse(const std::string& told)
 {
-  EXPECT_NE(told.find("too sparse for cells of 0.05 m"), std::string::npos) << told;
-  EXPECT_NE(told.find("look at door D1"), std::string::npos) << told;
+  EXPECT_TRUE(says(told, "too sparse for cells of 0.05 m"));
+  EXPECT_TRUE(says(told, "look at door D1"));
   EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2) << told;
 }
 
@@ -60,15 +60,14 @@ TEST_F(SedrTool, KeepsThePlanOfAModelThatWasEdited)
   ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}).exit_code, 0);
   const ProgramRun again = onFile(scanOf().pcd(false), {"--no-mesh"});
   ASSERT_EQ(again.exit_code, 0);
-  EXPECT_NE(again.err.find("it is kept as floorplan.json~~"), std::string::npos)
-      << again.err;
-  EXPECT_EQ(bytesOf(in("model/floorplan.json")).find("Hall"), std::string::npos);
-  EXPECT_NE(bytesOf(in("model/floorplan.json~~")).find("Hall"), std::string::npos);
+  EXPECT_TRUE(says(again.err, "it is kept as floorplan.json~~"));
+  EXPECT_FALSE(says(bytesOf(in("model/floorplan.json")), "Hall"));
+  EXPECT_TRUE(says(bytesOf(in("model/floorplan.json~~")), "Hall"));
   EXPECT_EQ(bytesOf(in("model/floorplan.json~")), bytesOf(in("model/floorplan.json")));
   std::filesystem::copy_file(in("model/floorplan.json~~"), in("model/floorplan.json"),
                              std::filesystem::copy_options::overwrite_existing);
   ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--confirm", "1.1"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("Hall"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/rooms.csv")), "Hall"));
 }
 
 TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
@@ -94,7 +93,7 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   EXPECT_EQ(report.at("input").at("points"), scan.points.size());
   for (const auto& entry : std::filesystem::directory_iterator(in("model")))
-    EXPECT_EQ(bytesOf(entry.path()).find(in("")), std::string::npos)
+    EXPECT_FALSE(says(bytesOf(entry.path()), in("")))
         << entry.path() << " tells where on the disk the scan is";
   EXPECT_EQ(report.at("parameters").at("tree_depth"), 9);
   ASSERT_EQ(report.at("rooms").size(), 1u);
@@ -124,8 +123,7 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   std::string line;
   for (const auto& text : rooms.at("rows").at(0))
     line += (line.empty() ? "" : ",") + text.get<std::string>();
-  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("\r\n" + line + "\r\n"),
-            std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/rooms.csv")), "\r\n" + line + "\r\n"));
   EXPECT_EQ(report.at("schedules").at("walls").at("rows").size(), 4u);
   EXPECT_EQ(bytesOf(in("model/openings.csv")).rfind("number,kind,", 0), 0u);
 }
@@ -140,10 +138,10 @@ TEST_F(SedrTool, AProjectHasItsOwnGuids)
   };
   const std::string mill =
       guidOf({"--no-mesh", "--project", "Mill Lane", "--client", "Smith"});
-  EXPECT_NE(bytesOf(in("model/ceiling.svg")).find(">Smith<"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/ceiling.svg")), ">Smith<"));
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   EXPECT_EQ(report.at("parameters").at("client"), "Smith");
-  EXPECT_NE(bytesOf(in("model/floorplan.svg")).find(">Mill Lane<"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/floorplan.svg")), ">Mill Lane<"));
   EXPECT_EQ(mill, guidOf({"--no-mesh", "--project", "Mill Lane", "--threads", "1"}));
   EXPECT_NE(mill, guidOf({"--no-mesh", "--project", "Park Road"}));
 }
@@ -198,13 +196,12 @@ TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
   expectOnlySparse(result.err);
   EXPECT_EQ(result.out.rfind("1 room, 12.0 square metres", 0), 0u) << result.out;
   const std::string page = bytesOf(in("model/report.html"));
-  EXPECT_NE(page.find("{\"name\":\"model\",\"report\":{\"format\":\"sedr-report\""),
-            std::string::npos);
+  EXPECT_TRUE(says(page, "{\"name\":\"model\",\"report\":{\"format\":\"sedr-report\""));
   std::filesystem::remove(in("model/report.html"));
   ASSERT_EQ(run(SEDR_REPORT, {in("model")}).exit_code, 0);
   EXPECT_TRUE(bytesOf(in("model/report.html")) == page);
-  EXPECT_NE(page.find("\"is_scan\":true"), std::string::npos) << "of the folder above";
-  EXPECT_EQ(page.find(in("")), std::string::npos) << "tells where on the disk it is";
+  EXPECT_TRUE(says(page, "\"is_scan\":true")) << "of the folder above";
+  EXPECT_FALSE(says(page, in(""))) << "tells where on the disk it is";
 }
 
 TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
@@ -252,8 +249,7 @@ TEST_F(SedrTool, TellsThatHalfOfThePointsAreNotFinite)
   }
   const ProgramRun result = onFile(scan.pcd(false), {"--no-mesh"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.err.find("50 % of the points are not finite"), std::string::npos)
-      << result.err;
+  EXPECT_TRUE(says(result.err, "50 % of the points are not finite"));
 }
 
 TEST_F(SedrTool, KeepsTheOldModelWhereTheNewOneDoesNotFit)

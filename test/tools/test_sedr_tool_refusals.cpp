@@ -193,12 +193,12 @@ TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
   const std::string scan = roomBesideOpenHall().pcd(false);
   const ProgramRun refused = onFile(scan, {"--no-mesh"});
   expectFailure(refused, 2, "--partial");
-  EXPECT_NE(refused.err.find("12 of "), std::string::npos) << refused.err;
+  EXPECT_TRUE(says(refused.err, "12 of "));
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
 
   const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
   EXPECT_EQ(partial.exit_code, 0) << partial.err;
-  EXPECT_NE(partial.err.find("warning"), std::string::npos) << partial.err;
+  EXPECT_TRUE(says(partial.err, "warning"));
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   const auto& gap = report.at("coverage").at("left_out").at(0);
   EXPECT_NEAR(gap.at("area").get<double>(), 48, 3);

@@ -125,7 +125,7 @@ TEST_F(StageByStage, APlanInAnotherFrameIsToldAndRefused)
   const ProgramRun told =
       run(OPENING_DETECTION, {in("scan.pcd"), in("moved.json"), in("openings.json")});
   EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_NE(told.err.find("its frame and unit?"), std::string::npos) << told.err;
+  EXPECT_TRUE(says(told.err, "its frame and unit?"));
 }
 
 TEST_F(StageByStage, TheFittingTellsTheDoubtsOfTheBuilding)
@@ -139,10 +139,8 @@ TEST_F(StageByStage, TheFittingTellsTheDoubtsOfTheBuilding)
   const ProgramRun result =
       run(FLOORPLAN_FITTING,
           {in("walls.pcd"), in("floorplan.json"), "--building", in("building.json")});
-  EXPECT_NE(result.err.find("room 1: it may be one room with room 2, 40 % likely"),
-            std::string::npos)
-      << result.err;
-  EXPECT_EQ(result.err.find("room 7"), std::string::npos) << "it has no plan";
+  EXPECT_TRUE(says(result.err, "room 1: it may be one room with room 2, 40 % likely"));
+  EXPECT_FALSE(says(result.err, "room 7")) << "it has no plan";
 }
 
 TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
@@ -200,7 +198,7 @@ TEST_F(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
   for (const auto& [tool, name] : pages) {
     const std::string page = bytesOf(DOC_FOLDER "/" + name + ".md");
     for (const auto& option : optionsIn(run(tool, {"-h"}).out))
-      EXPECT_NE(page.find("`--" + option.name), std::string::npos)
+      EXPECT_TRUE(says(page, "`--" + option.name))
           << name << ".md does not tell --" << option.name;
   }
 }

@@ -22,7 +22,7 @@ TEST_P(ToolContract, HelpTellsUsageAndEveryDefault)
   const ProgramRun help = run(program(), {"-h"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  EXPECT_NE(help.out.find("Usage: pcl_"), std::string::npos);
+  EXPECT_TRUE(says(help.out, "Usage: pcl_"));
   const std::vector<OptionHelp> options = optionsIn(help.out);
   EXPECT_FALSE(options.empty());
   for (const auto& option : options)

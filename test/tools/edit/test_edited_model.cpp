@@ -96,10 +96,9 @@ TEST_F(EditedModel, AllFilesThatFollowFromThePlanAreOfTheNewOneAndAgree)
                                        {10, "volume"}})
       EXPECT_NEAR(std::stod(fields.at(column)), room[name], 0.0006) << name;
   }
-  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("2,Küche,storey 1,12.000,"),
-            std::string::npos);
-  EXPECT_NE(bytesOf(in("model/model.ifc")).find("12."), std::string::npos);
-  EXPECT_NE(bytesOf(in("model/floorplan.svg")).find("12.00 m"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/rooms.csv")), "2,Küche,storey 1,12.000,"));
+  EXPECT_TRUE(says(bytesOf(in("model/model.ifc")), "12."));
+  EXPECT_TRUE(says(bytesOf(in("model/floorplan.svg")), "12.00 m"));
 }
 
 TEST_F(EditedModel, SheetsAndIfcKeepTheTextsOfTheRun)
@@ -107,13 +106,11 @@ TEST_F(EditedModel, SheetsAndIfcKeepTheTextsOfTheRun)
   ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--name", "2=Hall"}).exit_code, 0);
   const std::string sheet = bytesOf(in("model/floorplan.svg"));
   for (const char* text : {"Mill Lane 14", "Smith", "P-17", "2024-05-31", "EK"})
-    EXPECT_NE(sheet.find(">" + std::string(text) + "<"), std::string::npos) << text;
-  EXPECT_NE(sheet.find(">A<"), std::string::npos) << "where section A-A runs";
-  EXPECT_NE(bytesOf(in("model/section_rooms.svg")).find(">Section A-A<"),
-            std::string::npos);
-  EXPECT_NE(
-      bytesOf(in("model/model.ifc")).find("('P-17.ifc','2024-05-31T00:00:00',('EK')"),
-      std::string::npos);
+    EXPECT_TRUE(says(sheet, ">" + std::string(text) + "<")) << text;
+  EXPECT_TRUE(says(sheet, ">A<")) << "where section A-A runs";
+  EXPECT_TRUE(says(bytesOf(in("model/section_rooms.svg")), ">Section A-A<"));
+  EXPECT_TRUE(
+      says(bytesOf(in("model/model.ifc")), "('P-17.ifc','2024-05-31T00:00:00',('EK')"));
 }
 
 TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)
@@ -229,8 +226,7 @@ TEST_F(EditedModel, AConfirmedWallIsDoubtedNoMore)
   EXPECT_EQ(std::count(told.begin(), told.end(), "wall 1.3: off"), 1)
       << "what the scan shows stays";
   ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "2=3"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("model/floorplan.json")).find("\"confirmed\""),
-            std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/floorplan.json")), "\"confirmed\""));
 }
 
 TEST_F(EditedModel, AfterAnotherRunThereIsNoEditToUndo)
@@ -248,11 +244,9 @@ TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
 {
   writeFile(in("model/report.html"), "of a run");
   const std::vector<std::string> edit{model(), "--name", "1=Hall; 2=Bath"};
-  EXPECT_EQ(run(FLOORPLAN_EDIT, edit).err.find("in place of the scan"),
-            std::string::npos)
+  EXPECT_FALSE(says(run(FLOORPLAN_EDIT, edit).err, "in place of the scan"))
       << "it is beside the folder";
-  EXPECT_EQ(bytesOf(in("model/report.html")).find("floorplan.json~"),
-            std::string::npos);
+  EXPECT_FALSE(says(bytesOf(in("model/report.html")), "floorplan.json~"));
   for (const bool is_other : {true, false}) { // a scan of the name, or none
     if (is_other)
       std::filesystem::copy_file(in("model/structure.pcd"), in("scan.pcd"),
@@ -261,8 +255,7 @@ TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
       std::filesystem::remove(in("scan.pcd"));
     const ProgramRun result = run(FLOORPLAN_EDIT, edit);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.err.find("the page shows the points of structure.pcd"),
-              std::string::npos)
+    EXPECT_TRUE(says(result.err, "the page shows the points of structure.pcd"))
         << is_other;
   }
 }

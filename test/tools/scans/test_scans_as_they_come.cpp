@@ -56,9 +56,9 @@ TEST_F(ScansAsTheyCome, E57OfPosesInAGridGivesThePlanAndEveryOutputItsOrigin)
   writeFile(in("scan.e57"), asE57(scanOf(), grid));
   const ProgramRun made = model(in("scan.e57"), "of_e57");
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.err.find("counted from (6916"), std::string::npos) << made.err;
+  EXPECT_TRUE(says(made.err, "counted from (6916"));
   expectRoom("of_e57");
-  EXPECT_EQ(made.err.find("positions"), std::string::npos) << made.err;
+  EXPECT_FALSE(says(made.err, "positions"));
   EXPECT_EQ(nlohmann::json::parse(bytesOf(in("of_e57/report.json")))
                 .at("positions")
                 .at("known"),
@@ -68,8 +68,7 @@ TEST_F(ScansAsTheyCome, E57OfPosesInAGridGivesThePlanAndEveryOutputItsOrigin)
   EXPECT_EQ(origin, originOfModel(in("of_e57/report.json")));
   for (const char* name :
        {"structure.pcd", "solid.ply", "solid.obj", "floorplan.svg", "floorplan.dxf"})
-    EXPECT_NE(bytesOf(in("of_e57/") + name).find(origin.comment()), std::string::npos)
-        << name;
+    EXPECT_TRUE(says(bytesOf(in("of_e57/") + name), origin.comment())) << name;
   for (const char* name : {"structure.pcd", "solid.ply", "solid.obj"})
     EXPECT_EQ(originOfModel(in("of_e57/") + name), origin) << name;
   EXPECT_EQ(loadCloud(in("of_e57/structure.pcd")).origin, origin);
@@ -127,7 +126,7 @@ TEST_F(ScansAsTheyCome, PositionsTellWhatWindowsMirror)
   const ProgramRun made =
       model(scan, "known", {"--positions", in("glass/positions.txt")});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.err.find(" mirror"), std::string::npos) << made.err;
+  EXPECT_TRUE(says(made.err, " mirror"));
   EXPECT_EQ(positionsOf("known").at("known"), 40);
   EXPECT_GE(positionsOf("known").at("mirrors"), 1);
   EXPECT_GT(positionsOf("known").at("mirrored_points"), 1000);
@@ -181,14 +180,13 @@ TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
   writeFile(in("scan.las"), asLas(scanOf(), grid));
   const ProgramRun listed = run(SCAN_TO_PCD, {in("scan.e57"), "--list"});
   EXPECT_EQ(listed.exit_code, 0);
-  EXPECT_NE(listed.out.find("station"), std::string::npos) << listed.out;
-  EXPECT_NE(listed.out.find(Origin{grid + Eigen::Vector3d(2.5, 1.5, 1.4)}.text(", ")),
-            std::string::npos)
-      << listed.out;
+  EXPECT_TRUE(says(listed.out, "station"));
+  EXPECT_TRUE(
+      says(listed.out, Origin{grid + Eigen::Vector3d(2.5, 1.5, 1.4)}.text(", ")));
   const ProgramRun both =
       run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--list", "--scan", "9"});
   EXPECT_EQ(both.exit_code, 1);
-  EXPECT_NE(both.err.find("it takes no --scan"), std::string::npos) << both.err;
+  EXPECT_TRUE(says(both.err, "it takes no --scan"));
   ASSERT_EQ(run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
             0);
   const ToolCloud one = loadCloud(in("one.pcd"));
@@ -232,9 +230,7 @@ TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
     catch (const std::exception& error) {
       reason = error.what();
     }
-    EXPECT_NE(reason.find("could not be read to its end: it has become shorter"),
-              std::string::npos)
-        << reason;
+    EXPECT_TRUE(says(reason, "could not be read to its end: it has become shorter"));
   }
 }
 
