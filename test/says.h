@@ -5,12 +5,14 @@
 
 #include <string>
 
-/** Returns whether a text has some words, and what it says if not. */
-inline ::testing::AssertionResult
-says(const std::string& text, const std::string& words)
+/** Returns whether a text has all these words, and which not, or what it says. */
+template <typename... WordsT>
+::testing::AssertionResult
+says(const std::string& text, const WordsT&... words)
 {
-  if (text.find(words) != std::string::npos)
-    return ::testing::AssertionSuccess() << "it says: " << text.substr(0, 2000);
-  return ::testing::AssertionFailure()
-         << "not '" << words << "', but: " << text.substr(0, 2000);
+  for (const std::string& word : {std::string(words)...})
+    if (text.find(word) == std::string::npos)
+      return ::testing::AssertionFailure()
+             << "not '" << word << "', but: " << text.substr(0, 2000);
+  return ::testing::AssertionSuccess() << "it says: " << text.substr(0, 2000);
 }

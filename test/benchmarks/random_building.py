@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes a random building as a scene for pcl_simulate_indoor_scan: random_building.py SEED OUT.json [--kind KIND]
 
-Same seed and kind, same building. Without a kind the seed chooses one. Needs Python 3.8 and nothing else.
+Same seed and kind, same building. Without a kind the seed chooses one. Needs Python 3.8 and shapely.
 """
 import argparse
 import json

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace programs {
 
 /** Expects the exit code and one sentence with `words`. */
@@ -15,6 +17,16 @@ expectSentence(const ProgramRun& result, int exit_code, const std::string& words
   EXPECT_EQ(result.exit_code, exit_code) << result.err;
   EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
   EXPECT_TRUE(says(result.err, words));
+}
+
+/** Returns a run that has to succeed; ends the test otherwise. */
+inline ProgramRun
+done(ProgramRun result)
+{
+  if (result.exit_code != 0)
+    throw std::runtime_error("exit code " + std::to_string(result.exit_code) + ": " +
+                             result.err);
+  return result;
 }
 
 /** Runs a program without a terminal, with options after its arguments. */

@@ -138,8 +138,7 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
   const auto areaWith = [&](const std::string& scan, const Strings& options) {
     Strings all = options;
     all.emplace_back("--no-mesh");
-    const ProgramRun made = onFile(scan, all);
-    EXPECT_EQ(made.exit_code, 0) << made.err;
+    done(onFile(scan, all));
     std::string problem;
     double area = 0;
     for (const auto& room :
@@ -196,8 +195,7 @@ TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
   EXPECT_TRUE(says(refused.err, "12 of "));
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
 
-  const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
-  EXPECT_EQ(partial.exit_code, 0) << partial.err;
+  const ProgramRun partial = done(onFile(scan, {"--no-mesh", "--partial"}));
   EXPECT_TRUE(says(partial.err, "warning"));
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   const auto& gap = report.at("coverage").at("left_out").at(0);

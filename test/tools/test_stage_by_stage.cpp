@@ -34,8 +34,7 @@ protected:
     std::vector<std::string> arguments;
     for (const std::string& file : files)
       arguments.push_back(file.front() == '-' ? file : in(file));
-    const ProgramRun result = run(tool, arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    done(run(tool, arguments));
   }
 
   /** Runs the stages in order, up to the floor plan. */
@@ -82,9 +81,7 @@ TEST_F(StageByStage, ThePlanOfTwoStoreysIsThatOfPclSedr)
   scan.addRaised(twoRooms(), 2.8, 2);
   fitPlan(scan);
   // Bare rooms on each other look as if y were up.
-  const ProgramRun whole =
-      run(SEDR, {in("scan.pcd"), in("model"), "--no-mesh", "--up", "z"});
-  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  done(run(SEDR, {in("scan.pcd"), in("model"), "--no-mesh", "--up", "z"}));
   const pcl::sedr::Floorplan found = plan("floorplan.json");
   const pcl::sedr::Floorplan expected = plan("model/floorplan.json");
   ASSERT_EQ(expected.rooms.size(), 4u);
@@ -122,9 +119,8 @@ TEST_F(StageByStage, APlanInAnotherFrameIsToldAndRefused)
       run(STRUCTURE_REFINEMENT, {in("walls.pcd"), in("moved.json"), in("left.pcd")}), 2,
       "in another frame");
   EXPECT_FALSE(std::filesystem::exists(in("left.pcd")));
-  const ProgramRun told =
-      run(OPENING_DETECTION, {in("scan.pcd"), in("moved.json"), in("openings.json")});
-  EXPECT_EQ(told.exit_code, 0) << told.err;
+  const ProgramRun told = done(
+      run(OPENING_DETECTION, {in("scan.pcd"), in("moved.json"), in("openings.json")}));
   EXPECT_TRUE(says(told.err, "its frame and unit?"));
 }
 
@@ -166,9 +162,8 @@ TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   for (const auto& [name, tolerance] :
        {std::make_pair("mesh.ply", 0.6), std::make_pair("solid.ply", 0.2)}) {
     const ProgramRun judged =
-        run(MESH_EVALUATION,
-            {in(name), "--json", in("figures.json"), "--self-intersections"});
-    ASSERT_EQ(judged.exit_code, 0) << judged.err;
+        done(run(MESH_EVALUATION,
+                 {in(name), "--json", in("figures.json"), "--self-intersections"}));
     const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
     EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
     EXPECT_EQ(mesh.at("self_intersections"), 0) << name;

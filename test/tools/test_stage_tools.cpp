@@ -28,17 +28,14 @@ protected:
         std::to_string(lines.size()) + "\nDATA ascii\n";
     for (const auto& line : lines)
       bytes += line + "\n";
-    const ProgramRun result = runOn({tool}, bytes, options);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const ProgramRun result = done(runOn({tool}, bytes, options));
     EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
     return output();
   }
 
   pcl::sedr::PlanRoom fittedRoom(const Strings& options)
   {
-    const ProgramRun result =
-        runOn({FLOORPLAN_FITTING, "output.json"}, scanOf().pcd(true), options);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    done(runOn({FLOORPLAN_FITTING, "output.json"}, scanOf().pcd(true), options));
     std::string problem;
     return pcl::sedr::floorplanFromJson(bytesOf(in("output.json")), problem)
         .rooms.at(0);
@@ -123,7 +120,7 @@ TEST_F(StageTools, KeepTheFieldsOfAllPoints)
   for (const char* tool :
        {ROOM_SEGMENTATION, HORIZONTAL_PLANE_DETECTION, GRID_REGION_OUTLIER_REMOVAL,
         GRID_SLICE_DETAIL, FLOOR_PROJECTION_RECOVERY, CEILING_BOUNDARY_WALL_GROWING}) {
-    ASSERT_EQ(runOn({tool}, scan.pcd(true)).exit_code, 0) << tool;
+    done(runOn({tool}, scan.pcd(true)));
     const Numbers intensity = floatField(output().blob, "intensity");
     ASSERT_GE(intensity.size(), scan.points.size()) << tool;
     for (std::size_t i = 0; i < scan.points.size(); ++i)
@@ -148,8 +145,7 @@ TEST_F(StageTools, PlaneDetectionListsPlanesForgetsRoomsAndDoubtsTheAxis)
   };
   const ProgramRun result = detect();
   EXPECT_EQ(result.out.rfind("kind ", 0), 0u) << "a heading:\n" << result.out;
-  for (const char* plane : {"ceiling     2.500", "floor       0.000"})
-    EXPECT_TRUE(says(result.out, plane));
+  EXPECT_TRUE(says(result.out, "ceiling     2.500", "floor       0.000"));
   EXPECT_EQ(output().room[0], 0u);
   for (auto& p : scan.points)
     std::swap(p.y, p.z);
@@ -217,7 +213,7 @@ TEST_F(StageTools, SliceDetailLeavesATableThatIsLabelledFloor)
   for (auto& p : input.points)
     if (p.label == Label::Other && p.z < 0.76f && p.z > 0.74f)
       p.label = Label::Floor;
-  ASSERT_EQ(runOn({GRID_SLICE_DETAIL}, input.pcd(true)).exit_code, 0);
+  done(runOn({GRID_SLICE_DETAIL}, input.pcd(true)));
   const std::vector<std::uint32_t> labels = output().label;
   for (std::size_t i = 0; i < labels.size(); ++i)
     ASSERT_FALSE(labels[i] == 2 && scan.points[i].label == Label::Other) << i;
@@ -302,7 +298,7 @@ TEST_F(StageTools, RefinementLeavesPointsOutThatAreTooFarFromTheirSurface)
   scan.points.push_back({1.5f, std::nanf(""), 1.f, Label::Wall, 1});
   const auto size = [&](const Strings& options) {
     const Tool tool{STRUCTURE_REFINEMENT, "output.pcd", true};
-    EXPECT_EQ(runOn(tool, scan.pcd(true), options).exit_code, 0);
+    done(runOn(tool, scan.pcd(true), options));
     return output().size();
   };
   EXPECT_EQ(size({}), walls + 1);

@@ -81,10 +81,10 @@ TEST(ToolOptions, AnswerWithHelpOrVersion)
   for (const char* asked : {"-h", "-help", "--help"}) {
     SampleOptions sample;
     EXPECT_FALSE(sample.parse({asked, "--leaf", "nonsense"}));
-    for (const char* told :
-         {"edge of a voxel [m] (above 0; default 0.05)", "(from -5 to 5; default 3)",
-          "(default measured)", "pcl_sample INPUT [options]"})
-      EXPECT_TRUE(says(sample.options.answer(), told));
+    EXPECT_TRUE(says(sample.options.answer(),
+                     "edge of a voxel [m] (above 0; default 0.05)",
+                     "(from -5 to 5; default 3)", "(default measured)",
+                     "pcl_sample INPUT [options]"));
   }
   SampleOptions sample;
   EXPECT_FALSE(sample.parse({"--version"}));

@@ -62,8 +62,7 @@ TEST(Coverage, IsTheShareOfTheFloorThatWasSeenWhichThePlanHolds)
   EXPECT_EQ(coverageOf(building, whole).not_counted, 30);
   const std::string told =
       sentenceOf(*coverageWarning(coverageOf(buildingOfTwoRooms(), one)));
-  EXPECT_TRUE(says(told, "6 of the 18 m2"));
-  EXPECT_TRUE(says(told, "12 m2 around (0.1, 1.6)"));
+  EXPECT_TRUE(says(told, "6 of the 18 m2", "12 m2 around (0.1, 1.6)"));
 }
 
 } // namespace

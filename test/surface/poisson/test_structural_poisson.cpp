@@ -323,6 +323,5 @@ TEST(StructuralPoisson, tells_what_of_a_surface_is_a_guess_or_missing)
     points.push_back(p);
   }
   const std::string warning = surfaceOf(points).report.warning;
-  EXPECT_TRUE(says(warning, "2 surfaces"));
-  EXPECT_TRUE(says(warning, "50 %"));
+  EXPECT_TRUE(says(warning, "2 surfaces", "50 %"));
 }

@@ -47,9 +47,8 @@ TEST_F(ClassifiedScan, OfLasHasAllPointsInTheirOrderAndPlacesWithClassAndExtraBy
   const RoomScan scan = scanOf();
   const LasSample las = inGrid(scan);
   writeFile(in("scan.las"), las.bytes());
-  const ProgramRun result = run(SEDR, {in("scan.las"), in("model")},
-                                {"--no-mesh", "--classified", in("out.las")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(run(SEDR, {in("scan.las"), in("model")},
+           {"--no-mesh", "--classified", in("out.las")}));
   const std::string bytes = bytesOf(in("out.las"));
   const auto begin = at<std::uint32_t>(bytes, 96);
   const auto record = at<std::uint16_t>(bytes, 105);
@@ -232,10 +231,7 @@ TEST_F(ClassifiedScan, OfLasFilesOfSeveralLayoutsLosesWhatTheyDoNotShare)
 TEST_F(ClassifiedScan, OfPcdHasTheFieldsOfTheScanAndThree)
 {
   const RoomScan scan = scanOf();
-  writeFile(in("input.pcd"), scan.pcd(true));
-  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")},
-                                {"--no-mesh", "--classified", in("out.pcd")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(onFile(scan.pcd(true), {"--no-mesh", "--classified", in("out.pcd")}));
   const ToolCloud cloud = loadCloud(in("out.pcd"));
   ASSERT_EQ(cloud.size(), scan.points.size());
   const std::vector<float> numbers = floatField(cloud.blob, "intensity");
@@ -273,10 +269,7 @@ TEST_F(ClassifiedScan, TellsSoffitsAndColumnsFromCeilingsAndWalls)
       from[across] = to[across] = at;
       scan.addPiece(from, to, Label::Column, 1);
     }
-  writeFile(in("input.pcd"), scan.pcd(false));
-  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")},
-                                {"--no-mesh", "--classified", in("out.pcd")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(onFile(scan.pcd(false), {"--no-mesh", "--classified", in("out.pcd")}));
   const ToolCloud cloud = loadCloud(in("out.pcd"));
   ASSERT_EQ(cloud.size(), scan.points.size());
   for (const Label label : {Label::Detail, Label::Column}) {
@@ -302,9 +295,8 @@ TEST_F(ClassifiedScan, OfSeveralFilesHasThemOneBehindTheOther)
   second.points.front().x = NAN;
   writeFile(in("a.pcd"), first.pcd(false));
   writeFile(in("b.pcd"), second.pcd(false));
-  const ProgramRun result = run(SEDR, {in("a.pcd"), in("b.pcd"), in("model")},
-                                {"--no-mesh", "--classified", in("out.las")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ProgramRun result = done(run(SEDR, {in("a.pcd"), in("b.pcd"), in("model")},
+                                     {"--no-mesh", "--classified", in("out.las")}));
   EXPECT_TRUE(says(result.err, "1 points without coordinates"));
   const std::string bytes = bytesOf(in("out.las"));
   EXPECT_EQ(bytes[104], 6) << "no colours";

@@ -56,8 +56,7 @@ using ScanColours = SedrTool;
 TEST_F(ScanColours, AreOnMeshPointsAndElementsAndMarkedWhereNothingWasSeen)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
-  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(run(SEDR, {in("input.pcd"), in("model")}));
   const ToolCloud points = loadCloud(in("model/structure.pcd"));
   const ToolCloud mesh = loadCloud(in("model/mesh.ply"));
   for (const ToolCloud* cloud : {&points, &mesh}) {
@@ -99,8 +98,7 @@ TEST_F(ScanColours, AreOnMeshPointsAndElementsAndMarkedWhereNothingWasSeen)
 TEST_F(ScanColours, OfLabelsAreWrittenIfAskedFor)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
-  ASSERT_EQ(run(SEDR, {in("input.pcd"), in("model")}, {"--colours", "label"}).exit_code,
-            0);
+  done(run(SEDR, {in("input.pcd"), in("model")}, {"--colours", "label"}));
   EXPECT_FALSE(says(bytesOf(in("model/mesh.ply")), "seen"));
   EXPECT_FALSE(says(bytesOf(in("model/structure.pcd")), "rgb"));
   EXPECT_FALSE(says(bytesOf(in("model/model.glb")), "seen"));
@@ -109,9 +107,9 @@ TEST_F(ScanColours, OfLabelsAreWrittenIfAskedFor)
 TEST_F(ScanColours, StayOnTheSolidOfAnEditedModel)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
-  ASSERT_EQ(run(SEDR, {in("input.pcd"), in("model")}, {"--no-mesh"}).exit_code, 0);
+  done(run(SEDR, {in("input.pcd"), in("model")}, {"--no-mesh"}));
   const std::string glb = bytesOf(in("model/model.glb"));
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}).exit_code, 0);
+  done(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}));
   EXPECT_TRUE(says(bytesOf(in("model/model.glb")), "\"extras\":{\"seen\":true}"));
 }
 
