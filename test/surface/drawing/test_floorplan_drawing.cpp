@@ -211,7 +211,7 @@ TEST(FloorplanDrawing, FacetsOfTheFloorThatDifferByLessThan3CmAreNoLines)
   const auto lines = [&](double step) {
     plan.rooms[0].floor_details = {detailOf(rectangle(5, 0, 8, 6), step)};
     const std::string dxf = dxfOf(plan);
-    const auto told = says(dxf, "\n+" + std::to_string(step).substr(0, 4) + "\n");
+    const auto told = says(dxf, "\n▼ +" + std::to_string(step).substr(0, 4) + "\n");
     EXPECT_EQ(static_cast<bool>(told), step > 0.03);
     return countOf(dxf, "LINE", "A-FLOR-LEVL");
   };
@@ -224,9 +224,10 @@ TEST(FloorplanDrawing, LevelsAreAboveTheUsualFloorOfTheLowestStorey)
   Floorplan plan = planOf(rectangle(0, 0, 8, 6));
   plan.rooms[0].floor = slabAt(0.2);
   plan.rooms.push_back(roomOf(rectangle(8.1, 0, 9, 1), 2.5, 2));
-  plan.rooms.back().floor = slabAt(-0.3); // a pit
+  plan.rooms.back().floor = slabAt(-0.3);                                // a pit
+  plan.rooms[0].floor_details = {detailOf(rectangle(0, 0, 3, 6), 0.35)}; // a stage
   const std::string svg = svgOf(plan, scaled(20));
-  EXPECT_TRUE(says(svg, ">▼ ±0.00<", ">▼ -0.50<"));
+  EXPECT_TRUE(says(svg, ">▼ ±0.00<", ">▼ -0.50<", ">▼ +0.15<"));
 }
 
 TEST(FloorplanDrawing, WallsHaveNumbersOnlyIfAskedFor)

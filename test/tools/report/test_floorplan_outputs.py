@@ -314,7 +314,7 @@ class Outputs(unittest.TestCase):
         texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
         exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
         for text in ("Room 1", "Room 2", "%.2f m²" % exact, "15.00 m²", "h 3.00 m", "R 2.00",
-                     "2.60", "+0.30", "Ø 0.80", "0.50 x 0.50"):
+                     "2.60", "▼ +0.30", "Ø 0.80", "0.50 x 0.50"):
             self.assertIn(text, texts)
 
     @needs_ezdxf
