@@ -103,23 +103,22 @@ TEST_P(FloorplanTools, FilesThatAreNoPlansAreRefusedAndTheOldFileStays)
   EXPECT_EQ(bytesOf(in(output())), "old");
 }
 
-TEST(FloorplanExtrusionTool, ContradictionsAreTold)
+using FloorplanExtrusionTool = InFolder<>;
+
+TEST_F(FloorplanExtrusionTool, ContradictionsAreTold)
 {
-  const TemporaryFolder folder;
-  const std::string file = (folder.path() / "plan.json").string();
   pcl::sedr::PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.5);
   room.details.push_back(detailOf(rectangle(0, 0, 1, 1), -1));
-  writeFile(file, pcl::sedr::floorplanToJson({{room}}));
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{room}}));
   const ProgramRun result =
-      done(run(FLOORPLAN_EXTRUSION, {file, (folder.path() / "solid.ply").string()}));
+      done(run(FLOORPLAN_EXTRUSION, {in("plan.json"), in("solid.ply")}));
   EXPECT_TRUE(says(result.err, "warning: room 1: a part of its ceiling around (0.5, "));
 }
 
-TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
+TEST_F(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
 {
-  const TemporaryFolder folder;
-  const std::string file = (folder.path() / "plan.json").string();
-  const std::string solid = (folder.path() / "solid.ply").string();
+  const std::string file = in("plan.json");
+  const std::string solid = in("solid.ply");
   const auto good = roomOf(rectangle(0, 0, 5, 4), 2.5, 1);
   auto bad = roomOf(rectangle(6, 0, 9, 4), 2.5, 2);
   bad.columns = {reversed(rectangle(6, 0, 9, 4))};
@@ -291,11 +290,12 @@ TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
   EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{1, 1, 3, 3, 2, 4}));
 }
 
-TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
+using FloorplanEditTool = InFolder<>;
+
+TEST_F(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
 {
-  const TemporaryFolder folder;
-  const std::string plan = (folder.path() / "plan.json").string();
-  const std::string output = (folder.path() / "edited.json").string();
+  const std::string plan = in("plan.json");
+  const std::string output = in("edited.json");
   pcl::sedr::Floorplan of_room{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
   for (const double x : {3.0, 4.0})
     of_room.openings.push_back({pcl::sedr::OpeningKind::Door,
@@ -315,50 +315,37 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
   EXPECT_TRUE(says(result.out,
                    "wall 1.2 is moved inwards by 0.500 m; room 1 has 18.00 m2 "
                    "in place of 20.00\n"));
-  std::string problem;
-  const auto edited = pcl::sedr::floorplanFromJson(bytesOf(output), problem);
-  ASSERT_EQ(edited.rooms.size(), 2U) << problem;
+  const auto edited = pcl::sedr::tools::loadPlan(output).plan;
+  ASSERT_EQ(edited.rooms.size(), 2U);
   EXPECT_NEAR(edited.rooms[0].area() + edited.rooms[1].area(), 4.5 * 4, 1e-9);
   ASSERT_EQ(edited.openings.size(), 1U);
   EXPECT_EQ(edited.openings[0].kind, pcl::sedr::OpeningKind::Window);
   EXPECT_EQ(edited.rooms[0].name + "|" + edited.rooms[1].name, "Kitchen|a=b, c");
   std::filesystem::remove(output);
-  for (const Strings& edit : {Strings{"--move-wall", "1.2"},
-                              {"--move-wall", "1.2=0.1m"},
-                              {"--split", "1.7"},
-                              {"--drop", "one"},
-                              {"--drop", "4294967297"},
-                              {"--merge", "1"},
-                              {"--name", "Kitchen"},
-                              {"--square", "1,"},
-                              {"--merge", "-1,2"},
-                              {"--move-wall", "1.-2=0.05"},
-                              {"--split", "-1,2,-1,2,5"},
-                              {"--merge", ""},
-                              {"--opening", "D1"},
-                              {"--opening", "D1,width"},
-                              {"--opening", "D1,at=2"},
-                              {"--floor", "1=0.1,0.2"},
-                              {"--opening", "D1,width=0.9m"},
-                              {"--opening", "D1,kind=gate"},
-                              {"--opening", "D1,hinge=top"},
-                              {"--add-opening", "1.1,width=0.9,height=2"},
-                              {"--add-opening", "1.1,at=2,width=0.9"},
-                              {"--remove-jog", "1"},
-                              {"--remove", "column 1"},
-                              {"--floor", "1"},
-                              {"--ceiling", "1=high"},
-                              {"--floor", "1=nan"},
-                              {"--name", "1=K\xfc"},
-                              {"--storey", "2.8"},
-                              {"--merge", "1,9"}}) {
-    const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
-    expectSentence(refused, 1, edit[0]);
-    const bool is_of_editor =
-        edit[1] == "1,9" || edit[1] == "D1,hinge=top" || edit[1] == "1=K\xfc";
-    EXPECT_EQ(refused.err.find(" wants ") == std::string::npos, is_of_editor);
-    EXPECT_FALSE(std::filesystem::exists(output));
-  }
+  for (const auto& [option, values] : std::vector<std::pair<std::string, Strings>>{
+           {"--move-wall", {"1.2", "1.2=0.1m", "1.-2=0.05"}},
+           {"--split", {"1.7", "-1,2,-1,2,5"}},
+           {"--drop", {"one", "4294967297"}},
+           {"--merge", {"1", "-1,2", "", "1,9"}},
+           {"--name", {"Kitchen", "1=K\xfc"}},
+           {"--square", {"1,"}},
+           {"--opening",
+            {"D1", "D1,width", "D1,at=2", "D1,width=0.9m", "D1,kind=gate",
+             "D1,hinge=top"}},
+           {"--floor", {"1=0.1,0.2", "1", "1=nan"}},
+           {"--ceiling", {"1=high"}},
+           {"--add-opening", {"1.1,width=0.9,height=2", "1.1,at=2,width=0.9"}},
+           {"--remove-jog", {"1"}},
+           {"--remove", {"column 1"}},
+           {"--storey", {"2.8"}}})
+    for (const std::string& value : values) {
+      const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, option, value});
+      expectSentence(refused, 1, option);
+      const bool is_of_editor =
+          value == "1,9" || value == "D1,hinge=top" || value == "1=K\xfc";
+      EXPECT_EQ(refused.err.find(" wants ") == std::string::npos, is_of_editor);
+      EXPECT_FALSE(std::filesystem::exists(output));
+    }
   expectSentence(run(FLOORPLAN_EDIT, {plan, output}), 1, "no edit");
   expectSentence(run(FLOORPLAN_EDIT, {plan, "--drop", "1"}), 1, "name");
   expectSentence(run(FLOORPLAN_EDIT, {plan, output, "--undo"}), 1, "--undo");

@@ -79,10 +79,7 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   for (const char* name : {"normal_x", "normal_y", "normal_z"})
     EXPECT_TRUE(pcl::sedr::tools::findField(structure.blob, name)) << name;
 
-  std::string problem;
-  const auto plan =
-      pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem);
-  EXPECT_EQ(problem, "");
+  const auto plan = pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan;
   ASSERT_EQ(plan.rooms.size(), 1u);
   EXPECT_NEAR(plan.rooms[0].area(), 12, 0.05);
 

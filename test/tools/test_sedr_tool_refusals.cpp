@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_help.h"
+#include "plan_file.h"
 #include "sedr_tool_runs.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -139,11 +140,9 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
     Strings all = options;
     all.emplace_back("--no-mesh");
     done(onFile(scan, all));
-    std::string problem;
     double area = 0;
     for (const auto& room :
-         pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem)
-             .rooms)
+         pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan.rooms)
       area += room.area();
     told = nlohmann::json::parse(bytesOf(in("model/report.json"))).at("input");
     std::filesystem::remove_all(in("model"));

@@ -2,6 +2,7 @@
 #include "box_room.h"
 #include "in_folder.h"
 #include "option_help.h"
+#include "plan_file.h"
 #include "tool_cloud.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -55,10 +56,7 @@ protected:
 
   pcl::sedr::Floorplan plan(const std::string& name) const
   {
-    std::string problem;
-    auto plan = pcl::sedr::floorplanFromJson(bytesOf(in(name)), problem);
-    EXPECT_EQ(problem, "");
-    return plan;
+    return pcl::sedr::tools::loadPlan(in(name)).plan;
   }
 };
 

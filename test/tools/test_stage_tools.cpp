@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program of a stage does beyond its class: rooms, options, and what it tells.
 // The results of whole rooms are those of the stages one after another.
+#include "plan_file.h"
 #include "stage_tools.h"
 #include "tool_error.h"
 
@@ -36,9 +37,7 @@ protected:
   pcl::sedr::PlanRoom fittedRoom(const Strings& options)
   {
     done(runOn({FLOORPLAN_FITTING, "output.json"}, scanOf().pcd(true), options));
-    std::string problem;
-    return pcl::sedr::floorplanFromJson(bytesOf(in("output.json")), problem)
-        .rooms.at(0);
+    return pcl::sedr::tools::loadPlan(in("output.json")).plan.rooms.at(0);
   }
 };
 

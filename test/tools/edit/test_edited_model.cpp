@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
 #include "tools/in_folder.h"
 #include "tools/sample_result.h"
 
@@ -153,10 +154,8 @@ TEST_F(EditedModel, ARoomOfAnotherHeightIsNotTheOneThatWasMeasured)
 TEST_F(EditedModel, DoubtsOfWallsFollowTheirNumbers)
 {
   done(edit({"--split", "1,2,-9,2,9"}));
-  std::string problem;
-  const auto plan =
-      pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem);
-  ASSERT_EQ(plan.rooms.size(), 3u) << problem;
+  EXPECT_EQ(pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan.rooms.size(),
+            3U);
   EXPECT_EQ(reportNow()["warnings"].size(), 5u) << "1.3 was cut: its doubt goes";
   done(edit({"--merge", "3,2"}));
   const Json report = reportNow();

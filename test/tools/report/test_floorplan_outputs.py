@@ -19,6 +19,8 @@ import unittest
 import xml.etree.ElementTree
 from collections import Counter, defaultdict
 
+import numpy as np
+
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 from glb import Glb, volume_of
 from plan_samples import arc, rectangle, room, segment, slab
@@ -81,18 +83,6 @@ ELEMENTS = {
     "room_2_niche_1_top": 0.3,
     "room_2_niche_1_side_3": 1,
 }
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def minus(a, b):
-    return tuple(p - q for p, q in zip(a, b))
-
-
-def dot(a, b):
-    return sum(p * q for p, q in zip(a, b))
 
 
 def read_obj(path):
@@ -207,10 +197,10 @@ class Outputs(unittest.TestCase):
         for name, triangles in groups.items():
             area = 0
             for t in triangles:
-                a, b, c = (vertices[i] for i in t)
-                normal = cross(minus(b, a), minus(c, a))
-                area += math.sqrt(dot(normal, normal)) / 2
-                volume[name.split("_")[1]] += dot(a, normal) / 6
+                a, b, c = (np.array(vertices[i]) for i in t)
+                normal = np.cross(b - a, c - a)
+                area += np.linalg.norm(normal) / 2
+                volume[name.split("_")[1]] += a @ normal / 6
                 edges.update([(t[0], t[1]), (t[1], t[2]), (t[2], t[0])])
             if name in ELEMENTS:
                 self.assertAlmostEqual(area, ELEMENTS[name], digits, name)
