@@ -12,6 +12,8 @@ import numpy as np
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
+import step_reader
+
 READER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "web_ifc_volumes.js")
 NODE = shutil.which("node") or shutil.which("nodejs")
 SOLID_KINDS = ("IFCSPACE", "IFCWALL", "IFCSLAB", "IFCCOLUMN", "IFCBEAM", "IFCCOVERING")
@@ -29,15 +31,8 @@ def opened(path, with_triangles=False):
 
 def net_volumes(instances):
     """NetVolume of every space and wall by its kind and name, from the file's quantities."""
-    volumes = {}
-    for name, v in instances.values():
-        if name == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCELEMENTQUANTITY":
-            for quantity in instances[v[5]][1][5]:
-                kind, q = instances[quantity]
-                if q[0] == "NetVolume":
-                    kind, of = instances[v[4][0]]
-                    volumes["%s %s" % (kind, of[2])] = q[3]
-    return volumes
+    return {"%s %s" % (instances[thing][0], instances[thing][1][2]): sizes["NetVolume"]
+            for thing, sizes in step_reader.sets(instances, "IFCELEMENTQUANTITY").items() if "NetVolume" in sizes}
 
 
 def lost(instances, products):
