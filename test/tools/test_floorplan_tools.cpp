@@ -298,15 +298,8 @@ TEST_F(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
   const std::string output = in("edited.json");
   pcl::sedr::Floorplan of_room{{roomOf(rectangle(0, 0, 5, 4), 2.5)}};
   for (const double x : {3.0, 4.0})
-    of_room.openings.push_back({pcl::sedr::OpeningKind::Door,
-                                {1, 0},
-                                {{1, 0}},
-                                {x - 0.4, -0.1},
-                                {x + 0.4, -0.1},
-                                0,
-                                2,
-                                0,
-                                0.2});
+    of_room.openings.push_back(openingOf(pcl::sedr::OpeningKind::Door, {1, 0}, {{1, 0}},
+                                         {x - 0.4, -0.1}, {x + 0.4, -0.1}, 0, 2, 0.2));
   writeFile(plan, pcl::sedr::floorplanToJson(of_room));
   const ProgramRun result =
       done(run(FLOORPLAN_EDIT, {plan, output, "--move-wall", "1.2=-0.5", "--split",

@@ -225,15 +225,8 @@ TEST(OpeningGaps, ADoorIsShutByALineAndAPassageIsNot)
 {
   Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)}};
-  plan.openings = {{OpeningKind::Door,
-                    {1, 2},
-                    {{1, 1}, {2, 3}},
-                    {4.05, 1},
-                    {4.05, 2},
-                    0,
-                    2,
-                    0,
-                    0.1}};
+  plan.openings = {openingOf(OpeningKind::Door, {1, 2}, {{1, 1}, {2, 3}}, {4.05, 1},
+                             {4.05, 2}, 0, 2, 0.1)};
   std::map<OpeningKind, std::size_t> lines;
   for (const OpeningKind kind :
        {OpeningKind::Door, OpeningKind::Window, OpeningKind::Passage}) {

@@ -35,15 +35,8 @@ TEST(Sections, AnOpeningIsAGapInItsWall)
   };
   const std::size_t closed = length();
   plan.openings = {
-      {OpeningKind::Passage,
-       {1, 2},
-       {{1, 1}, {2, 3}},
-       {4.05, 1},
-       {4.05, 2},
-       0,
-       2.0,
-       0,
-       0.1},
+      openingOf(OpeningKind::Passage, {1, 2}, {{1, 1}, {2, 3}}, {4.05, 1}, {4.05, 2}, 0,
+                2, 0.1),
       {OpeningKind::Window, {1, 0}, {{1, 3}}, {-0.1, 2}, {-0.1, 1}, 0.9, 2.0, 0, 0.2}};
   EXPECT_EQ(length(), closed + 1) << "the wall above and below the window";
   EXPECT_EQ(
@@ -57,15 +50,8 @@ TEST(Sections, ShowWhatIsSeenBehindThem)
   // larger y, and hides the niche behind.
   Floorplan plan{
       {roomOf(polygon({{0, 0}, {5, 0}, {5, 4}, {1, 4}, {1, 2}, {0, 2}}), 2.5)}};
-  plan.openings = {{OpeningKind::Window,
-                    {0, 1},
-                    {{1, 5}},
-                    {-0.1, 1.5},
-                    {-0.1, 0.5},
-                    0.9,
-                    2,
-                    0,
-                    0.2}};
+  plan.openings = {openingOf(OpeningKind::Window, {0, 1}, {{1, 5}}, {-0.1, 1.5},
+                             {-0.1, 0.5}, 0.9, 2, 0.2)};
   const std::string dxf = drawSection(plan, {{2, 0}, {2, 1}}, {DrawingFormat::Dxf})[0];
   EXPECT_EQ(countOf(dxf, "LINE", "A-SECT-BYND"), 1u);
   EXPECT_TRUE(says(dxf, "A-SECT-BYND\n100\nAcDbLine\n10\n2.0000000\n"));
