@@ -64,18 +64,13 @@ def walls_of(room):
                 yield kind if e["type"] == "segment" else "arcs", e, points, at, k, way
 
 
-def level(slab, x, y):
-    a, b, c, d = slab["plane"]
-    return -(a * x + b * y + d) / c
-
-
 def places_on(room, e, points, at, k, way):
     """Places on a wall that walls_of() yields, and its normal."""
     plan_places = [[np.interp(s * at[-1], at, points[:, axis]) for axis in (0, 1)]
                    for s in (PLACES if e["type"] == "segment" else (k,))]
     left = np.array([-way[1], way[0]])
     tilt = np.radians(e.get("tilt", 0))
-    foot = level(room["floor"], *plan_places[len(plan_places) // 2])
+    foot = grades.z_at(room["floor"], *plan_places[len(plan_places) // 2])
     places = [[*(np.array(p) + left * np.tan(tilt) * s * room["height"]), foot + s * room["height"]] for p in plan_places for s in PLACES]
     return np.array(places), np.array([*(left * np.cos(tilt)), -np.sin(tilt)])
 
@@ -97,7 +92,7 @@ def surfaces(plan):
             grid = np.stack(np.meshgrid(*(np.linspace(low[k], high[k], 9)[1:-1] for k in (0, 1))), -1).reshape(-1, 2)
             grid = grid[grades.within(outline, grid)]
             if len(grid):
-                places = np.array([[x, y, level(slab, x, y)] for x, y in grid])
+                places = np.array([[x, y, grades.z_at(slab, x, y)] for x, y in grid])
                 yield kind, slab["accuracy"], places, np.array(slab["plane"][:3])
 
 

@@ -60,8 +60,7 @@ def found_niches(path):
     for room in json.loads(path.read_text(encoding="utf-8"))["rooms"]:
         for n in room["niches"]:
             corners = [np.array(e["start"]) for e in n["boundary"]]
-            middle = np.append(sum(corners) / 4, 1)
-            bottom, top = (-(np.array(n[k]["plane"])[[0, 1, 3]] @ middle) / n[k]["plane"][2] for k in ("bottom", "top"))
+            bottom, top = (grades.z_at(n[k], *(sum(corners) / 4)) for k in ("bottom", "top"))
             found.append({"kind": "niche", "a": corners[0], "b": corners[3], "bottom": bottom, "top": top,
                           "depth": np.linalg.norm(corners[1] - corners[0])})
     return found

@@ -80,9 +80,9 @@ def true_places(truth, points):
     return places
 
 
-def z_at(slab, point):
+def z_at(slab, x, y):
     a, b, c, d = slab["plane"]
-    return -(a * point.x + b * point.y + d) / c
+    return -(a * x + b * y + d) / c
 
 
 def found_places(plan):
@@ -90,8 +90,8 @@ def found_places(plan):
     for room in plan.get("rooms", []):
         shape = polygon(room["boundary"], room.get("columns", []))
         if not shape.is_empty:
-            inside = shape.representative_point()
-            places.append(Place(str(room.get("id")), shape, z_at(room["floor"], inside), z_at(room["ceiling"], inside)))
+            low, high = (z_at(room[side], *shape.representative_point().coords[0]) for side in ("floor", "ceiling"))
+            places.append(Place(str(room.get("id")), shape, low, high))
     return places
 
 
