@@ -78,10 +78,9 @@ def places_on(room, e, points, at, k, way):
 def surfaces(plan):
     """(kind, accuracy, places, normal) of all that was measured."""
     for room in plan["rooms"]:
-        for kind, e, points, at, k, way in walls_of(room):
-            if "accuracy" not in e:
-                continue
-            yield (kind, e["accuracy"], *places_on(room, e, points, at, k, way))
+        for kind, e, *place in walls_of(room):
+            if "accuracy" in e:
+                yield (kind, e["accuracy"], *places_on(room, e, *place))
         for kind, slab, loop in [("floors", room["floor"], room["boundary"]), ("ceilings", room["ceiling"], room["boundary"])] + \
                 [("parts of floors", d["slab"], d["boundary"]) for d in room["floor_details"]] + \
                 [("parts of ceilings", d["slab"], d["boundary"]) for d in room["details"] + room.get("facets", [])]:

@@ -19,9 +19,8 @@ def main():
     parser.add_argument("output", type=pathlib.Path)
     parser.add_argument("--kind", choices=sorted(KINDS))
     arguments = parser.parse_args()
-    scene = build(arguments.seed, arguments.kind)
     try:
-        arguments.output.write_text(json.dumps(scene) + "\n", encoding="utf-8")
+        arguments.output.write_text(json.dumps(build(arguments.seed, arguments.kind)) + "\n", encoding="utf-8")
     except OSError as error:
         sys.exit(f"random_building.py: cannot write {arguments.output}: {error.strerror}")
 
