@@ -20,6 +20,9 @@ from matplotlib.lines import Line2D
 from PIL import Image
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "test/benchmarks"))
+from proving import pcd
+
 OTHER, CEILING, FLOOR, WALL, DETAIL, COLUMN = range(6)
 NAMES = ["other", "ceiling", "floor", "wall", "detail", "column"]
 COLOURS = ["#9b9b9b", "#f0901e", "#2d72c4", "#36a04a", "#d8302c", "#8d44b0"]
@@ -39,25 +42,11 @@ class Cloud:
     """The points of a PCD file: xyz and normal (n x 3), label, room; zeros for what it has not."""
 
     def __init__(self, path):
-        header, rows = read_pcd(path)
-        self.xyz = np.stack([rows[axis] for axis in "xyz"], axis=1).astype(float)
-        field = lambda name: rows[name] if name in header else np.zeros(len(rows))
+        rows = pcd.read(path)
+        self.xyz = pcd.places(rows)
+        field = lambda name: rows[name] if name in rows.dtype.names else np.zeros(len(rows))
         self.normal = np.stack([field(f"normal_{axis}") for axis in "xyz"], axis=1)
         self.label, self.room = field("label").astype(int), field("room").astype(int)
-
-
-def read_pcd(path):
-    """Field names and rows of a binary PCD file."""
-    header = {}
-    with open(path, "rb") as file:
-        while "DATA" not in header:
-            key, *values = file.readline().decode().split()
-            header[key] = values
-        kinds = {"F": "f", "U": "u", "I": "i"}
-        fields = [(name, kinds[kind] + size, int(count)) if count != "1" else (name, kinds[kind] + size)
-                  for name, kind, size, count in
-                  zip(header["FIELDS"], header["TYPE"], header["SIZE"], header["COUNT"])]
-        return header["FIELDS"], np.fromfile(file, fields, int(header["POINTS"][0]))
 
 
 def read_mesh(path):

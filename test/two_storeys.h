@@ -40,6 +40,20 @@ twoStoreys(double shift = 0)
   return plan;
 }
 
+/** An opening by its ends in the middle of its wall. */
+inline pcl::sedr::PlanOpening
+openingOf(pcl::sedr::OpeningKind kind,
+          const std::array<std::uint32_t, 2>& rooms,
+          const std::vector<pcl::sedr::OpeningWall>& walls,
+          const Eigen::Vector2d& start,
+          const Eigen::Vector2d& end,
+          double bottom,
+          double top,
+          double depth = 0)
+{
+  return {kind, rooms, walls, start, end, bottom, top, 0, depth};
+}
+
 /** A door of all kinds of parts in a wall of room 3 along x. */
 inline pcl::sedr::PlanOpening
 ajarDoor()

@@ -49,8 +49,8 @@ if [ "$with_tests" = yes ]; then
 fi
 if [ "$with_benchmarks" = yes ]; then
   needed+=(
-    "libbenchmark-dev    google-benchmark, for -DSEDR_BUILD_BENCHMARKS=ON"
-    "python3-matplotlib  draws the plots of performance.sh"
+    "python3-numpy       makes scans for performance.py"
+    "python3-matplotlib  draws its plots"
   )
 fi
 if [ "$with_docs" = yes ]; then

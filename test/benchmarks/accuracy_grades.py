@@ -12,9 +12,7 @@ import json
 import numpy as np
 
 import opening_grades
-from buildings import grades, instrument, runs
-from buildings.build import build
-from buildings.kinds import KINDS
+from buildings import grades, runs
 from proving import meshes
 
 FAR = 0.05     # metres: another surface
@@ -66,18 +64,13 @@ def walls_of(room):
                 yield kind if e["type"] == "segment" else "arcs", e, points, at, k, way
 
 
-def level(slab, x, y):
-    a, b, c, d = slab["plane"]
-    return -(a * x + b * y + d) / c
-
-
 def places_on(room, e, points, at, k, way):
     """Places on a wall that walls_of() yields, and its normal."""
     plan_places = [[np.interp(s * at[-1], at, points[:, axis]) for axis in (0, 1)]
                    for s in (PLACES if e["type"] == "segment" else (k,))]
     left = np.array([-way[1], way[0]])
     tilt = np.radians(e.get("tilt", 0))
-    foot = level(room["floor"], *plan_places[len(plan_places) // 2])
+    foot = grades.z_at(room["floor"], *plan_places[len(plan_places) // 2])
     places = [[*(np.array(p) + left * np.tan(tilt) * s * room["height"]), foot + s * room["height"]] for p in plan_places for s in PLACES]
     return np.array(places), np.array([*(left * np.cos(tilt)), -np.sin(tilt)])
 
@@ -85,10 +78,9 @@ def places_on(room, e, points, at, k, way):
 def surfaces(plan):
     """(kind, accuracy, places, normal) of all that was measured."""
     for room in plan["rooms"]:
-        for kind, e, points, at, k, way in walls_of(room):
-            if "accuracy" not in e:
-                continue
-            yield (kind, e["accuracy"], *places_on(room, e, points, at, k, way))
+        for kind, e, *place in walls_of(room):
+            if "accuracy" in e:
+                yield (kind, e["accuracy"], *places_on(room, e, *place))
         for kind, slab, loop in [("floors", room["floor"], room["boundary"]), ("ceilings", room["ceiling"], room["boundary"])] + \
                 [("parts of floors", d["slab"], d["boundary"]) for d in room["floor_details"]] + \
                 [("parts of ceilings", d["slab"], d["boundary"]) for d in room["details"] + room.get("facets", [])]:
@@ -99,7 +91,7 @@ def surfaces(plan):
             grid = np.stack(np.meshgrid(*(np.linspace(low[k], high[k], 9)[1:-1] for k in (0, 1))), -1).reshape(-1, 2)
             grid = grid[grades.within(outline, grid)]
             if len(grid):
-                places = np.array([[x, y, level(slab, x, y)] for x, y in grid])
+                places = np.array([[x, y, grades.z_at(slab, x, y)] for x, y in grid])
                 yield kind, slab["accuracy"], places, np.array(slab["plane"][:3])
 
 
@@ -115,8 +107,6 @@ def errors_of(folder, plan):
                      places.mean(0)])
     true = opening_grades.true_openings(folder)
     openings = opening_grades.found_openings(folder / plan)
-    for o in openings:
-        o["a"], o["b"], o["bottom"], o["top"] = o["a"] + origin[:2], o["b"] + origin[:2], o["bottom"] + origin[2], o["top"] + origin[2]
     for i, j in opening_grades.pairs(true, openings):
         stated = openings[j]["edges"]
         if (true[i]["b"] - true[i]["a"]) @ (openings[j]["b"] - openings[j]["a"]) < 0:
@@ -159,21 +149,17 @@ def table(rows):
 
 def main():
     parser = runs.parser(__doc__, "buildings")
-    parser.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
     parser.add_argument("--measured", action="store_true",
                         help="points with the errors of real scans, see random_buildings.py; what moves a whole plan is taken out")
     found = []
 
     def one_building(seed, folder, options):
-        row = runs.scan(build(seed, options.kind), seed, folder, options)
-        if options.measured:
-            instrument.spoil(folder, seed)
-        figures, row["message"] = runs.model(folder, options)
+        row = runs.building(seed, folder, options, options.measured)
         mine = errors_of(folder, "out/floorplan.json") if (folder / "out/floorplan.json").exists() else []
         found.extend(without_datum(mine) if options.measured else mine)
-        return dict(row, surfaces=len(mine), **figures)
+        return dict(row, surfaces=len(mine))
 
-    runs.all_seeds(parser.parse_args(), ["pcl_simulate_indoor_scan"], one_building, lambda _: table(found))
+    runs.all_seeds(parser.parse_args(), [], one_building, lambda _: table(found))
 
 
 if __name__ == "__main__":

@@ -18,9 +18,7 @@ from scipy.optimize import minimize
 
 import accuracy_grades
 import opening_grades
-from buildings import instrument, runs
-from buildings.build import build
-from buildings.kinds import KINDS
+from buildings import runs
 from proving import meshes
 
 STEPS = (0.01, 0.03, 0.05)  # metres
@@ -44,9 +42,6 @@ def wall_errors(plan, mesh):
 def opening_errors(true, path):
     """How far the edges of each opening are off, by its number; infinite if there is none of its kind."""
     found = opening_grades.found_openings(path)
-    origin = np.array(json.loads(path.read_text(encoding="utf-8")).get("origin", [0, 0, 0]), float)
-    for o in found:
-        o["a"], o["b"], o["bottom"], o["top"] = o["a"] + origin[:2], o["b"] + origin[:2], o["bottom"] + origin[2], o["top"] + origin[2]
     errors = [np.inf] * len(found)
     for i, j in opening_grades.pairs(true, found):
         if true[i]["kind"] == found[j]["kind"]:
@@ -107,7 +102,6 @@ def fitted(names, rows):
 
 def main():
     parser = runs.parser(__doc__, "buildings")
-    parser.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
     parser.add_argument("--fit", action="store_true", help="print weights")
     parser.add_argument("--scans", type=pathlib.Path, nargs="*", help="folders with scan.pcd, truth_spaces.ply and truth_openings.json")
     options = parser.parse_args()
@@ -119,12 +113,9 @@ def main():
                 found[kind] = names, found[kind][1] + rows
 
     def one_building(seed, folder, options):
-        row = runs.scan(build(seed, options.kind), seed, folder, options)
-        if seed % 2:
-            instrument.spoil(folder, seed)
-        figures, row["message"] = runs.model(folder, options)
+        row = runs.building(seed, folder, options, seed % 2)
         take(folder, meshes.read_mesh(folder / "truth.ply"), opening_grades.true_openings(folder))
-        return dict(row, **figures)
+        return row
 
     def summary(_):
         return "\n".join((f"{kind}: {fitted(names, rows)}\n" if options.fit else "") + table(kind, rows) for kind, (names, rows) in found.items())
@@ -138,7 +129,7 @@ def main():
                 take(folder, meshes.read_mesh(scan / "truth_spaces.ply"), ifc_openings(scan))
         print(summary(None))
     else:
-        runs.all_seeds(options, ["pcl_simulate_indoor_scan"], one_building, summary)
+        runs.all_seeds(options, [], one_building, summary)
 
 
 if __name__ == "__main__":

@@ -96,7 +96,7 @@ def summary(rows):
 def main():
     options = runs.parser(__doc__, "scenes")
     options.add_argument("--kinds", choices=KINDS, default="first", help="which kinds: the first 32, or those that were added later, or last")
-    runs.all_seeds(options.parse_args(), ["pcl_simulate_indoor_scan", "pcl_mesh_evaluation"], one_scene, summary)
+    runs.all_seeds(options.parse_args(), ["pcl_mesh_evaluation"], one_scene, summary)
 
 
 if __name__ == "__main__":

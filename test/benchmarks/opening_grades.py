@@ -15,6 +15,8 @@ import pathlib
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from buildings import grades
+
 FAR = 0.5    # metres from the middle of the wall
 MATCH = 0.5  # intersection over union
 
@@ -31,19 +33,18 @@ def true_openings(folder):
 
 
 def found_openings(path):
+    """Openings of a plan, in the frame of the scan."""
     plan = json.loads(path.read_text(encoding="utf-8"))
-    return [dict(o, a=np.array(o["start"]), b=np.array(o["end"])) for o in plan.get("openings", [])]
+    x, y, z = plan.get("origin", [0, 0, 0])
+    return [dict(o, a=o["start"] + np.array([x, y]), b=o["end"] + np.array([x, y]), bottom=o["bottom"] + z, top=o["top"] + z)
+            for o in plan.get("openings", [])]
 
 
 def true_niches(folder):
     """Niches of scene.json, placed as the scan; without it none."""
-    path = folder / "scene.json"
-    scene = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"rooms": []}
-    placement = {"yaw": 0.0, "shift": [0.0, 0.0, 0.0], **scene.get("placement", {})}
-    yaw, shift = np.radians(placement["yaw"]), np.array(placement["shift"])
-    turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
+    rooms, turn, shift = grades.placed_scene(folder)
     found = []
-    for room in scene["rooms"]:
+    for room in rooms:
         outline = [np.array(p["at"] if isinstance(p, dict) else p) for p in room["outline"] if room.get("niches")]
         for n in room.get("niches", []):
             p, q = outline[n["wall"]], outline[(n["wall"] + 1) % len(outline)]
@@ -59,8 +60,7 @@ def found_niches(path):
     for room in json.loads(path.read_text(encoding="utf-8"))["rooms"]:
         for n in room["niches"]:
             corners = [np.array(e["start"]) for e in n["boundary"]]
-            middle = np.append(sum(corners) / 4, 1)
-            bottom, top = (-(np.array(n[k]["plane"])[[0, 1, 3]] @ middle) / n[k]["plane"][2] for k in ("bottom", "top"))
+            bottom, top = (grades.z_at(n[k], *(sum(corners) / 4)) for k in ("bottom", "top"))
             found.append({"kind": "niche", "a": corners[0], "b": corners[3], "bottom": bottom, "top": top,
                           "depth": np.linalg.norm(corners[1] - corners[0])})
     return found
@@ -176,8 +176,8 @@ def main():
     parser.add_argument("--plan", default="out/floorplan.json", help="below each folder")
     parser.add_argument("--list", action="store_true", help="openings that are wrong")
     options = parser.parse_args()
-    grades = [grade(f, f / options.plan, options.list) for f in options.folders]
-    pooled = {k: sum((g[k] for g in grades[1:]), grades[0][k]) for k in grades[0]}
+    of_folders = [grade(f, f / options.plan, options.list) for f in options.folders]
+    pooled = {k: sum((g[k] for g in of_folders[1:]), of_folders[0][k]) for k in of_folders[0]}
     print("\n".join(summary([columns(pooled)])))
 
 

@@ -20,14 +20,11 @@ import tempfile
 import threading
 
 import proving_ground_table
-from buildings.runs import ROOT
+from buildings import runs
 from proving import bars
 
-try:
-    from proving import figures, meshes, programs
-except ImportError as problem:
-    sys.exit(f"proving_ground.py: the Python package {problem.name} is missing; on Debian: "
-             "apt install python3-numpy python3-scipy python3-shapely, and use /usr/bin/python3")
+runs.require("numpy", "scipy", "shapely")
+from proving import figures, meshes, programs  # noqa: E402
 
 COLUMNS = """scene noise seed with_mesh points failure rooms_true rooms_found rooms_matched area_error height_error volume_error
 mesh_volume_error corners_true corners_found rooms_with_other_corners corner_distance_max arcs_true arcs_found radius_error
@@ -175,7 +172,7 @@ def options_of():
     parser.add_argument("--table", type=pathlib.Path, metavar="FILE.md", help="writes the table of proving_ground_table.py at the end")
     parser.add_argument("--jobs", type=between(1, 256), default=1, help="runs at a time; each gets its share of the processors")
     parser.add_argument("--threads", type=between(0, 256), help="threads of a run, 0 for all processors")
-    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", help="folder of the programs")
+    parser.add_argument("--bin", type=pathlib.Path, default=runs.ROOT / "build/release/bin", help="folder of the programs")
     options = parser.parse_args()
     options.bin = options.bin.resolve()
     if options.threads is None:
@@ -198,28 +195,28 @@ def runs_of(options):
             programs.output_of([simulator, scene, folder, "--rays", 1])
         if options.prior:  # the scan is too small for a result: exit code 2
             programs.output_of([options.bin / "pcl_sedr", f"{folder}/scan.pcd", f"{folder}/out", "--prior", options.prior], 2)
-    runs = [Run(scene, noise, seed, options) for scene in scenes for noise in options.noise for seed in options.seeds]
-    if len({run.key() for run in runs}) < len(runs):
+    asked = [Run(scene, noise, seed, options) for scene in scenes for noise in options.noise for seed in options.seeds]
+    if len({run.key() for run in asked}) < len(asked):
         raise ValueError("a scene, noise or seed is there twice")
     if options.table:
         options.table.open("a", encoding="utf-8").close()
-    return runs
+    return asked
 
 
 def new_runs(options):
     """The runs that the table does not have."""
-    runs = runs_of(options)
+    asked = runs_of(options)
     present = rows_before(options.csv)
-    new = [run for run in runs if run.key() not in present]
-    if len(new) < len(runs):
-        print(f"{len(runs) - len(new)} of {len(runs)} runs are in {options.csv} already, whatever their other options were", flush=True)
+    new = [run for run in asked if run.key() not in present]
+    if len(new) < len(asked):
+        print(f"{len(asked) - len(new)} of {len(asked)} runs are in {options.csv} already, whatever their other options were", flush=True)
     for run in new:
         if options.keep and run.kept().exists():
             raise ValueError(f"'{run.kept()}' is there already and would be overwritten")
     return new
 
 
-def make(runs, options):
+def make(new, options):
     lock = threading.Lock()
 
     def one(run):
@@ -232,7 +229,7 @@ def make(runs, options):
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         started = []
         try:
-            started += [pool.submit(one, run) for run in runs]
+            started += [pool.submit(one, run) for run in new]
             for done in started:
                 done.result()
         except BaseException:

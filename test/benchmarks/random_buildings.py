@@ -8,26 +8,17 @@ right if every room that counts is matched by one found room of 0.7 intersection
 than 1.5 square metres is found, and the number of storeys is exact. Needs numpy, scipy and shapely, for pictures matplotlib.
 Exit code 0: all buildings were graded, however well; 1: not all were.
 """
-import sys
-
 from buildings import runs
-from buildings.build import build
-from buildings.kinds import KINDS
 
-try:
-    import opening_grades
-    from buildings import grades, instrument, pictures
-    from proving import pcd
-except ImportError as error:
-    sys.exit(f"random_buildings.py: the Python package {error.name} is missing; on Debian: "
-             "apt install python3-numpy python3-scipy python3-shapely python3-matplotlib, and use /usr/bin/python3")
+runs.require("numpy", "scipy", "shapely")
+import opening_grades  # noqa: E402
+from buildings import grades, pictures  # noqa: E402
+from proving import pcd  # noqa: E402
+
 
 def one_building(seed, folder, options):
-    row = runs.scan(build(seed, options.kind), seed, folder, options)
-    if options.measured:
-        instrument.spoil(folder, seed)
-    figures, message = runs.model(folder, options)
-    row.update(figures)
+    row = runs.building(seed, folder, options, options.measured)
+    message = row.pop("message")  # the last column
     figures, graded = grades.grade(folder, folder / "out")
     row.update(figures)
     plan = folder / "out/floorplan.json"
@@ -67,10 +58,9 @@ def summary(rows):
 
 def main():
     parser = runs.parser(__doc__, "buildings")
-    parser.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
     parser.add_argument("--measured", action="store_true",
                         help="points with the errors of real scans: registration, mixed pixels, lost grazing returns")
-    runs.all_seeds(parser.parse_args(), ["pcl_simulate_indoor_scan"], one_building, summary)
+    runs.all_seeds(parser.parse_args(), [], one_building, summary)
 
 
 if __name__ == "__main__":

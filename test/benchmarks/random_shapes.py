@@ -9,17 +9,13 @@ most, and at least 98 % of it within a centimetre. Needs numpy, scipy and shapel
 Exit code 0: all were graded, however well; 1: not all were.
 """
 import json
-import sys
 
 from buildings import runs
 from buildings.shaped import build
 
-try:
-    from buildings import grades, pictures
-    from proving import pcd
-except ImportError as error:
-    sys.exit(f"random_shapes.py: the Python package {error.name} is missing; on Debian: "
-             "apt install python3-numpy python3-scipy python3-shapely python3-matplotlib, and use /usr/bin/python3")
+runs.require("numpy", "scipy", "shapely")
+from buildings import grades, pictures  # noqa: E402
+from proving import pcd  # noqa: E402
 
 MOST_MEAN = 0.0005   # metres
 LEAST_NEAR = 0.98    # share within a centimetre
@@ -71,7 +67,7 @@ def summary(rows):
 
 
 def main():
-    runs.all_seeds(runs.parser(__doc__, "scenes").parse_args(), ["pcl_simulate_indoor_scan", "pcl_mesh_evaluation"], one_scene, summary)
+    runs.all_seeds(runs.parser(__doc__, "scenes").parse_args(), ["pcl_mesh_evaluation"], one_scene, summary)
 
 
 if __name__ == "__main__":

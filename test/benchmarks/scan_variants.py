@@ -9,30 +9,23 @@ as it is. A room is kept if the intersection over union of both plans is 0.7 or 
 that is made each time is kept too. The table has a line a variant; the summary comes last. Needs numpy, scipy and shapely.
 Exit code 0: all variants were compared, however well; 1: not all were.
 """
-import argparse
-import csv
 import json
 import pathlib
-import sys
-import tempfile
 import zlib
 
 from buildings import runs
 
-try:
-    import numpy as np
-    from scipy.optimize import linear_sum_assignment
-    from shapely.affinity import affine_transform
-    from buildings import grades
-    from proving import meshes, pcd
-except ImportError as error:
-    sys.exit(f"scan_variants.py: the Python package {error.name} is missing; on Debian: "
-             "apt install python3-numpy python3-scipy python3-shapely, and use /usr/bin/python3")
+runs.require("numpy", "scipy", "shapely")
+import numpy as np  # noqa: E402
+from scipy.optimize import linear_sum_assignment  # noqa: E402
+from shapely.affinity import affine_transform  # noqa: E402
+
+from buildings import grades  # noqa: E402
+from proving import meshes, pcd  # noqa: E402
 
 KEPT = 0.7     # intersection over union of a room that is kept
 MARGIN = 0.5   # metres that a room lies from a cut that does not touch it
 SLAB = 0.3     # metres between two storeys
-COLUMNS = ("scan", "variant", "exit", "seconds", "rooms", "expected", "kept")
 
 
 class Variant:
@@ -143,33 +136,12 @@ def summary(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = runs.parser(__doc__)
     parser.add_argument("scans", type=pathlib.Path, nargs="+", metavar="SCAN")
-    parser.add_argument("--bin", type=pathlib.Path, default=runs.ROOT / "build/release/bin", help="folder of the programs")
-    parser.add_argument("--sedr", type=pathlib.Path, help="another pcl_sedr than that of --bin")
-    parser.add_argument("--options", default="--partial", help="options of pcl_sedr beside --no-mesh, in one argument; --partial, since"
-                        " half of a scan, or two with the ground outside, may be modelled in part")
     parser.add_argument("--variants", nargs="+", choices=VARIANTS, help="these only")
-    parser.add_argument("--csv", type=pathlib.Path, help="the table; else it goes to the standard output")
-    parser.add_argument("--timeout", type=float, default=600, help="seconds a run may take")
+    parser.set_defaults(options="--partial")  # half of a scan, or two with the ground outside, may be modelled in part
     options = parser.parse_args()
-    rows, problems = [], []
-    out = options.csv.open("w", encoding="utf-8", newline="") if options.csv else sys.stdout
-    table = csv.DictWriter(out, COLUMNS)
-    table.writeheader()
-    for scan in options.scans:
-        with tempfile.TemporaryDirectory() as name:
-            try:
-                for row in rows_of(scan, pathlib.Path(name), options):
-                    rows.append(row)
-                    table.writerow(row)
-                    out.flush()
-            except (OSError, RuntimeError, ValueError) as problem:
-                problems.append(str(problem))
-    print(summary(rows))
-    for problem in problems:
-        print(f"scan_variants.py: {problem}", file=sys.stderr)
-    sys.exit(1 if problems else 0)
+    runs.all_rows(options, ["pcl_parallel_voxel_grid"], options.scans, rows_of, summary)
 
 
 if __name__ == "__main__":

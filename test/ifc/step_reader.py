@@ -87,3 +87,16 @@ def read(path):
         instances[int(number[1:])] = (name, list_of(stream))
         assert next(stream) == ("sign", ";")
     return instances
+
+
+def sets(instances, kind):
+    """{object: {name: value}} of all sets of that kind: IFCELEMENTQUANTITY or IFCPROPERTYSET."""
+    found = {}
+    for name, v in instances.values():
+        if name == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == kind:
+            members = instances[v[5]][1]
+            for member in (instances[m][1] for m in members[5 if kind == "IFCELEMENTQUANTITY" else 4]):
+                value = member[3] if kind == "IFCELEMENTQUANTITY" else member[2].value
+                for thing in v[4]:
+                    found.setdefault(thing, {})[member[0]] = value
+    return found

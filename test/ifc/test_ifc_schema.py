@@ -34,11 +34,15 @@ class IfcSchema(unittest.TestCase):
     def problems(self, instances):
         return Check(self.schema, instances).problems
 
+    def valid(self, plan, *options):
+        """The instances of a plan's file, in which nothing is wrong."""
+        instances = step_reader.read(write(TOOL, plan, self.folder, *options))
+        self.assertEqual(self.problems(instances), [])
+        return instances
+
     def test_all_kinds_of_elements(self):
         for options in ((), ("--ifc-arcs", "faceted"), ("--crs", "EPSG:25832")):
-            instances = step_reader.read(write(TOOL, house(), self.folder, *options))
-            self.assertEqual(self.problems(instances), [])
-            kinds = {name for name, _ in instances.values()}
+            kinds = {name for name, _ in self.valid(house(), *options).values()}
             for kind in ("SPACE", "WALL", "WALLTYPE", "SLAB", "COLUMN", "BEAM", "OPENINGELEMENT", "MAPCONVERSION",
                          "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID"):
                 self.assertIn("IFC" + kind, kinds)
@@ -49,8 +53,7 @@ class IfcSchema(unittest.TestCase):
         hinge at x = 2.9 is on the left looking down, on the right looking up."""
         for hinge, swing, operation in (("start", 1, "LEFT"), ("start", 2, "RIGHT"), ("end", 1, "RIGHT"),
                                         ("end", 2, "LEFT"), ("both", 2, None), ("unknown", 0, None)):
-            instances = step_reader.read(write(TOOL, house_with_doors(hinge, swing), self.folder))
-            self.assertEqual(self.problems(instances), [])
+            instances = self.valid(house_with_doors(hinge, swing))
             kinds = [name for name, _ in instances.values()]
             self.assertEqual([kinds.count("IFC" + kind) for kind in ("DOOR", "WINDOW", "DOORTYPE", "WINDOWTYPE")], [1, 2, 1, 2])
             door = next(v for name, v in instances.values() if name == "IFCDOOR")
@@ -70,9 +73,7 @@ class IfcSchema(unittest.TestCase):
         plan = house_with_doors()
         plan["rooms"][0]["niches"] = [{"bottom": slab(1), "top": slab(2.12), "boundary": rectangle(2, -0.11, 2.99, 0)},
                                       {"bottom": slab(1), "top": slab(2.3), "boundary": rectangle(0.5, -0.11, 1.5, 0)}]
-        instances = step_reader.read(write(TOOL, plan, self.folder))
-        self.assertEqual(self.problems(instances), [])
-        names = [v[2] for name, v in instances.values() if name == "IFCOPENINGELEMENT" and v[2].startswith("room_1")]
+        names = [v[2] for name, v in self.valid(plan).values() if name == "IFCOPENINGELEMENT" and v[2].startswith("room_1")]
         self.assertEqual(names, ["room_1_niche_2"])
 
     def test_a_door_where_two_rooms_meet_without_a_wall(self):
@@ -80,16 +81,12 @@ class IfcSchema(unittest.TestCase):
                 "rooms": [room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
                           room(2, rectangle(4, 0, 8, 3), slab(0), slab(2.5))],
                 "openings": [opening("door", [1, 2], [4, 1], [4, 1.9])]}
-        instances = step_reader.read(write(TOOL, plan, self.folder))
-        self.assertEqual(self.problems(instances), [])
-        self.assertEqual([v[2] for name, v in instances.values() if name == "IFCVIRTUALELEMENT"], ["opening_D1"])
+        self.assertEqual([v[2] for name, v in self.valid(plan).values() if name == "IFCVIRTUALELEMENT"], ["opening_D1"])
 
     def test_one_room_without_an_origin(self):
         plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",
                 "rooms": [room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5))]}
-        instances = step_reader.read(write(TOOL, plan, self.folder))
-        self.assertEqual(self.problems(instances), [])
-        self.assertNotIn("IFCMAPCONVERSION", {name for name, _ in instances.values()})
+        self.assertNotIn("IFCMAPCONVERSION", {name for name, _ in self.valid(plan).values()})
 
     def test_the_check_itself(self):
         """Each fault is found."""

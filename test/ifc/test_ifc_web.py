@@ -72,6 +72,14 @@ class WebIfc(unittest.TestCase):
         self.assertLessEqual(set(expected), set(cut))
         self.assertEqual(len(openings), 4)
 
+    def products_apart(self, plan):
+        """All products of a plan, none of which is lost or stands in a space."""
+        path = write(TOOL, plan, self.folder)
+        products = opened(path, with_triangles=True)["products"]
+        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
+        self.assertEqual(web_ifc.lost(step_reader.read(path), products), [])
+        return products
+
     def test_nothing_is_lost(self):
         path = write(TOOL, house(), self.folder)
         products = opened(path)["products"]
@@ -100,10 +108,7 @@ class WebIfc(unittest.TestCase):
                  slab(2.5), niches=[{"bottom": slab(0.2), "top": slab(2.3),
                                      "boundary": loop(niche, [0, 0.005, 0, 0.013])}])],
                     storeys=[], stairs=[], openings=[])
-        path = write(TOOL, plan, self.folder)
-        products = opened(path, with_triangles=True)["products"]
-        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
-        self.assertEqual(web_ifc.lost(step_reader.read(path), products), [])
+        products = self.products_apart(plan)
         # The wall of room 1 ends at the point of room 2.
         point = 0.15 * 0.15 * 1.7 / 2.95
         corners = 2 * 0.2 * 0.2 / 2  # of mitres
@@ -115,9 +120,7 @@ class WebIfc(unittest.TestCase):
         loop[0]["tilt"] = -10
         plan = dict(house(), version=2, rooms=[room(1, loop, slab(0), slab(2.5))], storeys=[], stairs=[],
                     openings=[passage([0, 1], [1, 0], [1.9, 0])])
-        path = write(TOOL, plan, self.folder)
-        products = opened(path, with_triangles=True)["products"]
-        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
+        products = self.products_apart(plan)
         out = 2.5 * math.tan(math.radians(10))
         self.assertAlmostEqual(products["IFCSPACE 1"]["volume"], 4 * (3 + out / 2) * 2.5, 3)
         wall = products["IFCWALL room_1_wall_1"]
@@ -133,9 +136,7 @@ class WebIfc(unittest.TestCase):
         plan = dict(house(), version=2, rooms=[room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
                                                room(2, loop, slab(0), slab(2.5))], storeys=[], stairs=[],
                     openings=[passage([1, 2], [4.1, 1], [4.1, 1.9])])
-        path = write(TOOL, plan, self.folder)
-        products = opened(path, with_triangles=True)["products"]
-        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
+        products = self.products_apart(plan)
         whole = opened(write(TOOL, dict(plan, openings=[]), self.folder, name="whole"))["products"]
         name = "IFCWALL room_1_wall_2"
         taken = 0.9 * 2.05 * (0.2 - math.tan(math.radians(3)) * 2.05 / 2)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_loops.h"
 #include "sedr_filters/src/walls/plan_walls.h"
+#include "two_storeys.h"
 
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
@@ -33,15 +33,9 @@ windowIn(const Floorplan& plan, std::size_t element, double depth)
   const Eigen::Vector2d half = (e.end - e.start).normalized() / 2;
   const Eigen::Vector2d middle =
       e.pointAt(e.length() / 2) - depth / 2 * e.normalAt(e.length() / 2);
-  return {OpeningKind::Window,
-          {plan.rooms[0].id, 0},
-          {{plan.rooms[0].id, element}},
-          middle - half,
-          middle + half,
-          1,
-          2,
-          0,
-          depth};
+  return openingOf(OpeningKind::Window, {plan.rooms[0].id, 0},
+                   {{plan.rooms[0].id, element}}, middle - half, middle + half, 1, 2,
+                   depth);
 }
 
 TEST(PlanWalls, OfUnseenRevealsOrBeforeARoomAreAssumed)
@@ -275,13 +269,8 @@ TEST(IfcWalls, AnOpeningInACurvedWallIsAsWideAllThroughWhereverItIs)
       const Eigen::Vector2d half = Eigen::Vector2d(-out.y(), out.x()) * width / 2;
       const Eigen::Vector2d middle = round.centre + (round.inner + 0.1) * out;
       Floorplan plan{{roomOf(round.boundary, 2.5)}};
-      plan.openings = {{OpeningKind::Window,
-                        {1, 0},
-                        {},
-                        middle + half,
-                        middle - half,
-                        0.9,
-                        0.9 + height}};
+      plan.openings = {openingOf(OpeningKind::Window, {1, 0}, {}, middle + half,
+                                 middle - half, 0.9, 0.9 + height)};
       const IfcModel model = writeIfc(plan);
       EXPECT_TRUE(model.warnings.empty());
       EXPECT_EQ(model.schedules.openings.size(), 1u);

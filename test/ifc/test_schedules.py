@@ -17,6 +17,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
+from shapely.geometry import Polygon
+
 import step_reader
 from ifc_samples import VOLUMES, house_with_doors, write
 
@@ -25,28 +27,6 @@ SVG = "{http://www.w3.org/2000/svg}"
 SCALE = 20  # of the sheets, whose units are millimetres; Cairo's coordinates are exact to 1/256
 ROUNDING = 0.0006  # metres, of schedules, whose sizes are whole millimetres, and of the paper
 TWO_DIGITS = 0.005 + ROUNDING  # texts of sheets
-
-
-def quantities(instances):
-    """{object: {name: value}} of all quantity sets."""
-    found = {}
-    for kind, v in instances.values():
-        if kind == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCELEMENTQUANTITY":
-            for thing in v[4]:
-                for quantity in instances[v[5]][1][5]:
-                    found.setdefault(thing, {})[instances[quantity][1][0]] = instances[quantity][1][3]
-    return found
-
-
-def properties(instances):
-    """{object: {name: value}} of all property sets."""
-    found = {}
-    for kind, v in instances.values():
-        if kind == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCPROPERTYSET":
-            for thing in v[4]:
-                for single in instances[v[5]][1][4]:
-                    found.setdefault(thing, {})[instances[single][1][0]] = instances[single][1][2].value
-    return found
 
 
 def loops_of(path):
@@ -63,15 +43,6 @@ def sides_of(loop):
     return list(zip(loop, loop[1:] + loop[:1]))
 
 
-def area_of(loop):
-    return abs(sum(a * v - b * u for (a, b), (u, v) in sides_of(loop))) / 2
-
-
-def off_line(p, line):
-    (a, b), (u, v) = line
-    return abs((u - a) * (p[1] - b) - (v - b) * (p[0] - a)) / math.dist(*line)
-
-
 class FilesAgree:
     """Compares the files of a class's model, each row of the schedules with what the others tell of it."""
 
@@ -80,8 +51,8 @@ class FilesAgree:
     @classmethod
     def read(cls, ifc, folder, plan, storeys):
         cls.instances = step_reader.read(ifc)
-        cls.sizes = quantities(cls.instances)
-        cls.properties = properties(cls.instances)
+        cls.sizes = step_reader.sets(cls.instances, "IFCELEMENTQUANTITY")
+        cls.properties = step_reader.sets(cls.instances, "IFCPROPERTYSET")
         cls.tables, cls.sheets = {}, {}
         for name in ("rooms", "openings", "walls"):
             with open(os.path.join(folder, name + ".csv"), newline="", encoding="utf-8") as file:
@@ -127,10 +98,9 @@ class FilesAgree:
                 self.expect_text(row["storey"], r"h ([0-9.]+) m", float(row["height_m"]))
             loops = self.outline(row["room"])
             if loops:
-                drawn = {"area": area_of(loops[0]) - sum(map(area_of, loops[1:])),
-                         "perimeter": sum(math.dist(*side) for side in sides_of(loops[0]))}
-                self.expect_same(row, drawn, {"perimeter_m": "perimeter"})
-                self.assertAlmostEqual(float(row["area_m2"]), drawn["area"], delta=ROUNDING * math.sqrt(drawn["area"]))
+                self.expect_same(row, {"perimeter": Polygon(loops[0]).length}, {"perimeter_m": "perimeter"})
+                area = Polygon(loops[0], loops[1:]).area
+                self.assertAlmostEqual(float(row["area_m2"]), area, delta=ROUNDING * math.sqrt(area))
 
     def test_openings_agree(self):
         fillings = {v[7]: (number, v) for kind in ("IFCDOOR", "IFCWINDOW") for number, v in self.things(kind).items()}
@@ -162,7 +132,8 @@ class FilesAgree:
                           for loops, name in zip(faces, (row["number"], row["other_face"]))]
             drawn = {"length": math.dist(*near)}
             if far:
-                drawn["thickness"] = off_line([sum(x) / 2 for x in zip(*near)], far[0])
+                middle = [sum(x) / 2 for x in zip(*near)]
+                drawn["thickness"] = 2 * Polygon([middle, *far[0]]).area / math.dist(*far[0])
                 self.expect_same(row, drawn, {"thickness_m": "thickness"})
                 compared += 1
             elif row["external"] == "yes" and not any(

@@ -8,6 +8,12 @@ import shutil
 import subprocess
 import tempfile
 
+import numpy as np
+from shapely.geometry import Polygon
+from shapely.ops import unary_union
+
+import step_reader
+
 READER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "web_ifc_volumes.js")
 NODE = shutil.which("node") or shutil.which("nodejs")
 SOLID_KINDS = ("IFCSPACE", "IFCWALL", "IFCSLAB", "IFCCOLUMN", "IFCBEAM", "IFCCOVERING")
@@ -25,15 +31,8 @@ def opened(path, with_triangles=False):
 
 def net_volumes(instances):
     """NetVolume of every space and wall by its kind and name, from the file's quantities."""
-    volumes = {}
-    for name, v in instances.values():
-        if name == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCELEMENTQUANTITY":
-            for quantity in instances[v[5]][1][5]:
-                kind, q = instances[quantity]
-                if q[0] == "NetVolume":
-                    kind, of = instances[v[4][0]]
-                    volumes["%s %s" % (kind, of[2])] = q[3]
-    return volumes
+    return {"%s %s" % (instances[thing][0], instances[thing][1][2]): sizes["NetVolume"]
+            for thing, sizes in step_reader.sets(instances, "IFCELEMENTQUANTITY").items() if "NetVolume" in sizes}
 
 
 def lost(instances, products):
@@ -43,8 +42,8 @@ def lost(instances, products):
 
 
 def swept_body(instances, product):
-    """Edges in plan, bottom and top of a swept body in its placement; None of others. Of a tilted wall, and the
-    openings in it, the edges at its foot."""
+    """Plan, bottom and top of a swept body in its placement; None of others. Of a tilted wall, and the openings
+    in it, the plan at its foot."""
     shapes = instances[instances[product][1][6]][1][2]
     items = [v[3] for v in (instances[s][1] for s in shapes) if v[1] == "Body"]
     name, v = instances[items[0][0]]
@@ -54,39 +53,15 @@ def swept_body(instances, product):
     loops = [[instances[p][1][0] for p in instances[n][1][0]] for n in [profile[2]] + sum(profile[3:], [])]
     axes = instances[v[1]][1]
     bottom = instances[axes[0]][1][0][2]
-    top = bottom + v[3] * instances[v[2]][1][0][2]
-    return [edge for loop in loops for edge in zip(loop, loop[1:])], bottom, top
-
-
-def stretches(edges, y):
-    """Where a line of constant y is within an outline."""
-    xs = sorted(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) for a, b in edges if (a[1] > y) != (b[1] > y))
-    return list(zip(xs[::2], xs[1::2]))
-
-
-def united(spans):
-    """The length of what lies in any of some spans."""
-    length, end = 0, float("-inf")
-    for low, high in sorted(spans):
-        length += max(0, high - max(low, end))
-        end = max(end, high)
-    return length
+    return Polygon(loops[0], loops[1:]), bottom, bottom + v[3] * instances[v[2]][1][0][2]
 
 
 def common_volume(wall, openings):
-    """Of a swept wall and its openings, which may overlap, by lines along the wall."""
-    outline, bottom, top = wall
-    low, high = (f(p[1] for edge in outline for p in edge) for f in (min, max))
+    """Of a swept wall and its openings, which may overlap."""
+    plan, bottom, top = wall
     levels = sorted({min(max(z, bottom), top) for _, *ends in openings for z in ends})
-    volume, lines = 0, 1000
-    for k in range(lines):
-        y = low + (high - low) * (k + 0.5) / lines
-        cut = [([(max(a, c), min(b, d)) for a, b in stretches(outline, y) for c, d in stretches(hole, y)], *ends)
-               for hole, *ends in openings]
-        for z, above in zip(levels, levels[1:]):
-            spans = [s for part, first, last in cut if first < (z + above) / 2 < last for s in part if s[0] < s[1]]
-            volume += united(spans) * (above - z) * (high - low) / lines
-    return volume
+    return sum(unary_union([hole for hole, low, high in openings if low < (z + above) / 2 < high]).intersection(plan).area * (above - z)
+               for z, above in zip(levels, levels[1:]))
 
 
 def fillings(instances):
@@ -121,7 +96,6 @@ def cuts(path, instances, products):
 
 def heights_on(product, x, y):
     """Sorted heights at which the faces of a product are over places of a lattice, a list for each place."""
-    import numpy as np
     hits = [[] for _ in range(len(x) * len(y))]
     for mesh in product["meshes"]:
         corners = np.asarray(mesh["points"]).reshape(-1, 3)[np.asarray(mesh["triangles"], dtype=int).reshape(-1, 3)]
@@ -146,7 +120,6 @@ def heights_on(product, x, y):
 def inside_both(first, second):
     """Cubic metres that two products have in common, by vertical lines on a lattice that is fine enough for the
     narrower side of what their boxes have in common."""
-    import numpy as np
     low = np.maximum(first["low"], second["low"])
     high = np.minimum(first["high"], second["high"])
     if (high - low).min() <= 0.001:

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "says.h"
 #include "tools/run_program.h"
 
 #include <gtest/gtest.h>
+
+#include <stdexcept>
 
 namespace programs {
 
@@ -13,7 +16,17 @@ expectSentence(const ProgramRun& result, int exit_code, const std::string& words
 {
   EXPECT_EQ(result.exit_code, exit_code) << result.err;
   EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-  EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  EXPECT_TRUE(says(result.err, words));
+}
+
+/** Returns a run that has to succeed; ends the test otherwise. */
+inline ProgramRun
+done(ProgramRun result)
+{
+  if (result.exit_code != 0)
+    throw std::runtime_error("exit code " + std::to_string(result.exit_code) + ": " +
+                             result.err);
+  return result;
 }
 
 /** Runs a program without a terminal, with options after its arguments. */

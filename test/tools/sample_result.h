@@ -42,23 +42,17 @@ struct SampleResult {
     mesh.flip();
   }
 
-  /** Writes the bytes to a file. */
-  static void write(const std::filesystem::path& path, const std::string& bytes)
-  {
-    std::ofstream(path, std::ios::binary) << bytes;
-  }
-
   /** Writes the files of a run to `folder`, and the scan beside it. */
   void writeTo(const std::filesystem::path& folder) const
   {
     std::filesystem::create_directories(folder);
-    write(folder / "../scan.pcd", scan.pcd(false));
-    write(folder / "structure.pcd", scan.withoutLabel(Label::Other).pcd(true));
-    write(folder / "floorplan.json", pcl::sedr::floorplanToJson(plan));
-    write(folder / "mesh.ply", pcl::sedr::meshToPly(mesh));
-    write(folder / "solid.ply",
-          pcl::sedr::meshToPly(solid, pcl::sedr::elementComments(solid, elements)));
-    write(
+    writeFile(folder / "../scan.pcd", scan.pcd(false));
+    writeFile(folder / "structure.pcd", scan.withoutLabel(Label::Other).pcd(true));
+    writeFile(folder / "floorplan.json", pcl::sedr::floorplanToJson(plan));
+    writeFile(folder / "mesh.ply", pcl::sedr::meshToPly(mesh));
+    writeFile(folder / "solid.ply",
+              pcl::sedr::meshToPly(solid, pcl::sedr::elementComments(solid, elements)));
+    writeFile(
         folder / "report.json",
         R"({"format": "sedr-report", "version": 1, "input": {"path": "scan.pcd",
  "points": )" +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_help.h"
+#include "plan_file.h"
 #include "sedr_tool_runs.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -138,13 +139,10 @@ TEST_F(SedrTool, AnotherAxisOrUnitIsRefusedNamingTheOptionThatMendsIt)
   const auto areaWith = [&](const std::string& scan, const Strings& options) {
     Strings all = options;
     all.emplace_back("--no-mesh");
-    const ProgramRun made = onFile(scan, all);
-    EXPECT_EQ(made.exit_code, 0) << made.err;
-    std::string problem;
+    done(onFile(scan, all));
     double area = 0;
     for (const auto& room :
-         pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem)
-             .rooms)
+         pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan.rooms)
       area += room.area();
     told = nlohmann::json::parse(bytesOf(in("model/report.json"))).at("input");
     std::filesystem::remove_all(in("model"));
@@ -193,12 +191,11 @@ TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
   const std::string scan = roomBesideOpenHall().pcd(false);
   const ProgramRun refused = onFile(scan, {"--no-mesh"});
   expectFailure(refused, 2, "--partial");
-  EXPECT_NE(refused.err.find("12 of "), std::string::npos) << refused.err;
+  EXPECT_TRUE(says(refused.err, "12 of "));
   EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
 
-  const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
-  EXPECT_EQ(partial.exit_code, 0) << partial.err;
-  EXPECT_NE(partial.err.find("warning"), std::string::npos) << partial.err;
+  const ProgramRun partial = done(onFile(scan, {"--no-mesh", "--partial"}));
+  EXPECT_TRUE(says(partial.err, "warning"));
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   const auto& gap = report.at("coverage").at("left_out").at(0);
   EXPECT_NEAR(gap.at("area").get<double>(), 48, 3);

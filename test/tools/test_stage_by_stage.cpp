@@ -2,6 +2,7 @@
 #include "box_room.h"
 #include "in_folder.h"
 #include "option_help.h"
+#include "plan_file.h"
 #include "tool_cloud.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -34,8 +35,7 @@ protected:
     std::vector<std::string> arguments;
     for (const std::string& file : files)
       arguments.push_back(file.front() == '-' ? file : in(file));
-    const ProgramRun result = run(tool, arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    done(run(tool, arguments));
   }
 
   /** Runs the stages in order, up to the floor plan. */
@@ -56,10 +56,7 @@ protected:
 
   pcl::sedr::Floorplan plan(const std::string& name) const
   {
-    std::string problem;
-    auto plan = pcl::sedr::floorplanFromJson(bytesOf(in(name)), problem);
-    EXPECT_EQ(problem, "");
-    return plan;
+    return pcl::sedr::tools::loadPlan(in(name)).plan;
   }
 };
 
@@ -82,9 +79,7 @@ TEST_F(StageByStage, ThePlanOfTwoStoreysIsThatOfPclSedr)
   scan.addRaised(twoRooms(), 2.8, 2);
   fitPlan(scan);
   // Bare rooms on each other look as if y were up.
-  const ProgramRun whole =
-      run(SEDR, {in("scan.pcd"), in("model"), "--no-mesh", "--up", "z"});
-  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  done(run(SEDR, {in("scan.pcd"), in("model"), "--no-mesh", "--up", "z"}));
   const pcl::sedr::Floorplan found = plan("floorplan.json");
   const pcl::sedr::Floorplan expected = plan("model/floorplan.json");
   ASSERT_EQ(expected.rooms.size(), 4u);
@@ -122,10 +117,9 @@ TEST_F(StageByStage, APlanInAnotherFrameIsToldAndRefused)
       run(STRUCTURE_REFINEMENT, {in("walls.pcd"), in("moved.json"), in("left.pcd")}), 2,
       "in another frame");
   EXPECT_FALSE(std::filesystem::exists(in("left.pcd")));
-  const ProgramRun told =
-      run(OPENING_DETECTION, {in("scan.pcd"), in("moved.json"), in("openings.json")});
-  EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_NE(told.err.find("its frame and unit?"), std::string::npos) << told.err;
+  const ProgramRun told = done(
+      run(OPENING_DETECTION, {in("scan.pcd"), in("moved.json"), in("openings.json")}));
+  EXPECT_TRUE(says(told.err, "its frame and unit?"));
 }
 
 TEST_F(StageByStage, TheFittingTellsTheDoubtsOfTheBuilding)
@@ -139,10 +133,8 @@ TEST_F(StageByStage, TheFittingTellsTheDoubtsOfTheBuilding)
   const ProgramRun result =
       run(FLOORPLAN_FITTING,
           {in("walls.pcd"), in("floorplan.json"), "--building", in("building.json")});
-  EXPECT_NE(result.err.find("room 1: it may be one room with room 2, 40 % likely"),
-            std::string::npos)
-      << result.err;
-  EXPECT_EQ(result.err.find("room 7"), std::string::npos) << "it has no plan";
+  EXPECT_TRUE(says(result.err, "room 1: it may be one room with room 2, 40 % likely"));
+  EXPECT_FALSE(says(result.err, "room 7")) << "it has no plan";
 }
 
 TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
@@ -168,9 +160,8 @@ TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   for (const auto& [name, tolerance] :
        {std::make_pair("mesh.ply", 0.6), std::make_pair("solid.ply", 0.2)}) {
     const ProgramRun judged =
-        run(MESH_EVALUATION,
-            {in(name), "--json", in("figures.json"), "--self-intersections"});
-    ASSERT_EQ(judged.exit_code, 0) << judged.err;
+        done(run(MESH_EVALUATION,
+                 {in(name), "--json", in("figures.json"), "--self-intersections"}));
     const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
     EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
     EXPECT_EQ(mesh.at("self_intersections"), 0) << name;
@@ -200,7 +191,7 @@ TEST_F(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
   for (const auto& [tool, name] : pages) {
     const std::string page = bytesOf(DOC_FOLDER "/" + name + ".md");
     for (const auto& option : optionsIn(run(tool, {"-h"}).out))
-      EXPECT_NE(page.find("`--" + option.name), std::string::npos)
+      EXPECT_TRUE(says(page, "`--" + option.name))
           << name << ".md does not tell --" << option.name;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program of a stage does beyond its class: rooms, options, and what it tells.
 // The results of whole rooms are those of the stages one after another.
+#include "plan_file.h"
 #include "stage_tools.h"
 #include "tool_error.h"
 
@@ -28,20 +29,15 @@ protected:
         std::to_string(lines.size()) + "\nDATA ascii\n";
     for (const auto& line : lines)
       bytes += line + "\n";
-    const ProgramRun result = runOn({tool}, bytes, options);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const ProgramRun result = done(runOn({tool}, bytes, options));
     EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
     return output();
   }
 
   pcl::sedr::PlanRoom fittedRoom(const Strings& options)
   {
-    const ProgramRun result =
-        runOn({FLOORPLAN_FITTING, "output.json"}, scanOf().pcd(true), options);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    std::string problem;
-    return pcl::sedr::floorplanFromJson(bytesOf(in("output.json")), problem)
-        .rooms.at(0);
+    done(runOn({FLOORPLAN_FITTING, "output.json"}, scanOf().pcd(true), options));
+    return pcl::sedr::tools::loadPlan(in("output.json")).plan.rooms.at(0);
   }
 };
 
@@ -123,7 +119,7 @@ TEST_F(StageTools, KeepTheFieldsOfAllPoints)
   for (const char* tool :
        {ROOM_SEGMENTATION, HORIZONTAL_PLANE_DETECTION, GRID_REGION_OUTLIER_REMOVAL,
         GRID_SLICE_DETAIL, FLOOR_PROJECTION_RECOVERY, CEILING_BOUNDARY_WALL_GROWING}) {
-    ASSERT_EQ(runOn({tool}, scan.pcd(true)).exit_code, 0) << tool;
+    done(runOn({tool}, scan.pcd(true)));
     const Numbers intensity = floatField(output().blob, "intensity");
     ASSERT_GE(intensity.size(), scan.points.size()) << tool;
     for (std::size_t i = 0; i < scan.points.size(); ++i)
@@ -148,13 +144,12 @@ TEST_F(StageTools, PlaneDetectionListsPlanesForgetsRoomsAndDoubtsTheAxis)
   };
   const ProgramRun result = detect();
   EXPECT_EQ(result.out.rfind("kind ", 0), 0u) << "a heading:\n" << result.out;
-  for (const char* plane : {"ceiling     2.500", "floor       0.000"})
-    EXPECT_NE(result.out.find(plane), std::string::npos) << result.out;
+  EXPECT_TRUE(says(result.out, "ceiling     2.500", "floor       0.000"));
   EXPECT_EQ(output().room[0], 0u);
   for (auto& p : scan.points)
     std::swap(p.y, p.z);
-  EXPECT_NE(detect().err.find("y seems to be up"), std::string::npos);
-  EXPECT_EQ(detect({"--z-up"}).err.find("y seems to be up"), std::string::npos);
+  EXPECT_TRUE(says(detect().err, "y seems to be up"));
+  EXPECT_FALSE(says(detect({"--z-up"}).err, "y seems to be up"));
 }
 
 TEST_F(StageTools, OutlierRemovalNumbersRoomsAndRemovesRowsIfAsked)
@@ -217,7 +212,7 @@ TEST_F(StageTools, SliceDetailLeavesATableThatIsLabelledFloor)
   for (auto& p : input.points)
     if (p.label == Label::Other && p.z < 0.76f && p.z > 0.74f)
       p.label = Label::Floor;
-  ASSERT_EQ(runOn({GRID_SLICE_DETAIL}, input.pcd(true)).exit_code, 0);
+  done(runOn({GRID_SLICE_DETAIL}, input.pcd(true)));
   const std::vector<std::uint32_t> labels = output().label;
   for (std::size_t i = 0; i < labels.size(); ++i)
     ASSERT_FALSE(labels[i] == 2 && scan.points[i].label == Label::Other) << i;
@@ -302,7 +297,7 @@ TEST_F(StageTools, RefinementLeavesPointsOutThatAreTooFarFromTheirSurface)
   scan.points.push_back({1.5f, std::nanf(""), 1.f, Label::Wall, 1});
   const auto size = [&](const Strings& options) {
     const Tool tool{STRUCTURE_REFINEMENT, "output.pcd", true};
-    EXPECT_EQ(runOn(tool, scan.pcd(true), options).exit_code, 0);
+    done(runOn(tool, scan.pcd(true), options));
     return output().size();
   };
   EXPECT_EQ(size({}), walls + 1);

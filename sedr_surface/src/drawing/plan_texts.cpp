@@ -43,12 +43,13 @@ public:
     return spot;
   }
 
-  /** @brief Writes the height of a level part over the room's floor, where nothing else
-   * is and off the room's text. */
+  /** @brief Writes the height of a level part, where nothing else is and off the room's
+   * text: of ceilings above the room's floor, of floors as a level above @p zero. */
   void writeLevel(const PlanRoom& room,
                   const NotedPart& part,
                   const TextSpot& room_text,
-                  PlanLayer layer)
+                  PlanLayer layer,
+                  double zero)
   {
     if (!isLevel(part.slab))
       return;
@@ -58,11 +59,11 @@ public:
     if (spot.radius <= 0 || !room.contains(spot.place))
       return;
     spot.radius = std::min(spot.radius, room.boundary.distance(spot.place));
-    const double height =
-        part.slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
-    const bool has_sign = layer == PlanLayer::Floor && height > 0;
-    writeAt(layer, room.boundary, spot,
-            {(has_sign ? "+" : "") + decimalText(height, 2)}, small_font);
+    const double z = part.slab.heightAt(spot.place);
+    const std::string text = layer == PlanLayer::Floor
+                                 ? "▼ " + levelText(z - zero)
+                                 : decimalText(z - room.floor.heightAt(spot.place), 2);
+    writeAt(layer, room.boundary, spot, {text}, small_font);
   }
 
   /** @brief Writes lines about a place in a loop in the largest font that fits there.
@@ -306,10 +307,10 @@ placedTexts(const Floorplan& plan,
     const PlanRoom& room = plan.rooms[r];
     for (const NotedPart& part : surfaces[r].ceiling.noted(room, SurfaceSide::Ceiling))
       if (&part.slab != &room.ceiling || (!is_floor && surfaces[r].faces.area(0) > 0))
-        writer.writeLevel(room, part, room_texts[r], PlanLayer::Height);
+        writer.writeLevel(room, part, room_texts[r], PlanLayer::Height, settings.zero);
     for (const NotedPart& part : surfaces[r].floor.noted(room, SurfaceSide::Floor))
       if (&part.slab != &room.floor && is_floor)
-        writer.writeLevel(room, part, room_texts[r], PlanLayer::Floor);
+        writer.writeLevel(room, part, room_texts[r], PlanLayer::Floor, settings.zero);
   }
   for (const PlanLine& line : lines)
     writer.writeAlong(

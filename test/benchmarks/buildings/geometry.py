@@ -2,6 +2,10 @@
 """Plane geometry of plans: points are (x, y), outlines lists of points, counter-clockwise, all in metres."""
 import math
 
+from shapely.geometry import box
+from shapely.geometry.polygon import orient
+from shapely.ops import unary_union
+
 SAME = 1e-6
 
 
@@ -110,32 +114,12 @@ def meet(a, b):
 
 def union_outline(rects):
     """Outline of rectangles (x0, y0, x1, y1) that lie side by side; None if it is not one loop."""
-    xs = sorted({x for r in rects for x in (r[0], r[2])})
-    ys = sorted({y for r in rects for y in (r[1], r[3])})
-    full = set()
-    for i in range(len(xs) - 1):
-        for j in range(len(ys) - 1):
-            x, y = (xs[i] + xs[i + 1]) / 2, (ys[j] + ys[j + 1]) / 2
-            if any(r[0] < x < r[2] and r[1] < y < r[3] for r in rects):
-                full.add((i, j))
-    step = {}
-    for i, j in full:
-        for a, b, beside in (((i, j), (i + 1, j), (i, j - 1)), ((i + 1, j), (i + 1, j + 1), (i + 1, j)),
-                             ((i + 1, j + 1), (i, j + 1), (i, j + 1)), ((i, j + 1), (i, j), (i - 1, j))):
-            if beside not in full:
-                if a in step:
-                    return None  # two corners touch
-                step[a] = b
-    first = min(step)
-    loop, at = [], first
-    while at in step:
-        loop.append(at)
-        at = step.pop(at)
-    if step or at != first:
+    shape = unary_union([box(*r) for r in rects])
+    if shape.geom_type != "Polygon" or shape.interiors:
         return None
-    points = [(xs[i], ys[j]) for i, j in loop]
-    return [p for k, p in enumerate(points)
-            if abs(cross(sub(p, points[k - 1]), sub(points[(k + 1) % len(points)], p))) > SAME]
+    corners = list(orient(shape).exterior.coords)[:-1]
+    first = corners.index(min(corners))
+    return without_steps_of_nothing(corners[first:] + corners[:first])
 
 
 def inset(outline, thickness):

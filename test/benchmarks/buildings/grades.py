@@ -80,9 +80,9 @@ def true_places(truth, points):
     return places
 
 
-def z_at(slab, point):
+def z_at(slab, x, y):
     a, b, c, d = slab["plane"]
-    return -(a * point.x + b * point.y + d) / c
+    return -(a * x + b * y + d) / c
 
 
 def found_places(plan):
@@ -90,8 +90,8 @@ def found_places(plan):
     for room in plan.get("rooms", []):
         shape = polygon(room["boundary"], room.get("columns", []))
         if not shape.is_empty:
-            inside = shape.representative_point()
-            places.append(Place(str(room.get("id")), shape, z_at(room["floor"], inside), z_at(room["ceiling"], inside)))
+            low, high = (z_at(room[side], *shape.representative_point().coords[0]) for side in ("floor", "ceiling"))
+            places.append(Place(str(room.get("id")), shape, low, high))
     return places
 
 
@@ -176,18 +176,28 @@ def what_became(true, wanted, found, best):
     return "shape"
 
 
+def placed_scene(folder):
+    """Rooms of scene.json, if there is one, and the turn and shift by which they were placed."""
+    path = os.path.join(folder, "scene.json")
+    scene = load(path) if os.path.exists(path) else {"rooms": []}
+    place = {"yaw": 0, "shift": [0, 0, 0], **scene.get("placement", {})}
+    return scene["rooms"], turned(place["yaw"]), np.array(place["shift"], float)
+
+
+def load(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
 def true_flights(folder):
     """The flights of a scene as floorplan.json lists them, as they were placed."""
-    with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
-        scene = json.load(file)
-    place = scene.get("placement", {"yaw": 0, "shift": [0, 0, 0]})
-    shift = np.array(place["shift"], float)
+    rooms, turn, shift = placed_scene(folder)
     flights = []
-    for room in scene["rooms"]:
+    for room in rooms:
         for stairs in (f["stairs"] for f in room.get("furniture", []) if "stairs" in f):
             along = np.arange(stairs["steps"] + 1) * stairs["going"]
             ends = np.stack([np.stack([np.full_like(along, side * stairs["width"] / 2), along], -1) for side in (-1, 1)], 1)
-            risers = (ends @ turned(stairs["yaw"]).T + np.array(stairs["at"], float)) @ turned(place["yaw"]).T + shift[:2]
+            risers = (ends @ turned(stairs["yaw"]).T + np.array(stairs["at"], float)) @ turn.T + shift[:2]
             bottom = room.get("floor", 0.0) + shift[2]
             flights.append({"risers": risers, "bottom": bottom, "top": bottom + stairs["rise"] * len(along), "steps": len(along)})
     return flights
@@ -236,13 +246,9 @@ def grade(folder, output, every_room=False):
     folder holds truth.json and scan.pcd, output floorplan.json; without that nothing was found. every_room: a scanner stood in
     each of them, so all count, even where tilted walls leave too little ceiling above the floor.
     """
-    with open(os.path.join(folder, "truth.json"), encoding="utf-8") as file:
-        truth = json.load(file)
+    truth = load(os.path.join(folder, "truth.json"))
     path = os.path.join(output, "floorplan.json")
-    plan = {}
-    if os.path.exists(path):
-        with open(path, encoding="utf-8") as file:
-            plan = json.load(file)
+    plan = load(path) if os.path.exists(path) else {}
     found = found_places(plan)
     places = read_openings(true_places(truth, pcd.read(os.path.join(folder, "scan.pcd"))), truth["links"], found)
     wanted = [p for p in places if every_room or p.counts()]

@@ -20,15 +20,12 @@ def storey_of(place, truth):
 
 
 def draw(path, title, graded, points=None):
-    """Writes a PNG with matplotlib; an SVG of the same name if there is none. Gives the path written."""
+    """Writes a PNG."""
+    import matplotlib
     truth = list(zip(graded["wanted"], graded["fates"], graded["best"])) + [(r, None, None) for r in graded["rest"]]
     places = [t for t, _, _ in truth]
     storeys = sorted({t.storey for t in places})
     found = [(f, storey_of(f, places)) for f in graded["found"]]
-    try:
-        import matplotlib
-    except ImportError:
-        return draw_svg(path.with_suffix(".svg"), title, truth, found, storeys)
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     box = bounds(places)
@@ -62,7 +59,6 @@ def draw(path, title, graded, points=None):
     figure.tight_layout()
     figure.savefig(path, dpi=80)
     plt.close(figure)
-    return path
 
 
 def fill(panel, plan, face, edge):
@@ -75,24 +71,3 @@ def fill(panel, plan, face, edge):
 def bounds(places):
     boxes = [p.plan.bounds for p in places]
     return min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes)
-
-
-def draw_svg(path, title, truth, found, storeys):
-    box = bounds([t for t, _, _ in truth])
-    pitch, high = box[2] - box[0] + 2, box[3] - box[1] + 3
-    view = f'viewBox="0 0 {pitch * len(storeys):.1f} {high:.1f}" width="{400 * len(storeys)}"'
-    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" {view}>',
-             f'<text x="0.2" y="0.8" font-size="0.6">{title}</text>']
-
-    def outline(plan, storey, style):
-        shift = storeys.index(storey) * pitch + 1 - box[0]
-        for part in rings(plan):
-            way = " ".join("M" + " L".join(f"{x + shift:.2f} {box[3] + 2 - y:.2f}" for x, y in ring) + "Z"
-                           for ring in part)
-            lines.append(f'<path d="{way}" fill-rule="evenodd" {style}/>')
-    for t, fate, _ in truth:
-        outline(t.plan, t.storey, f'fill="{COLOURS.get(fate, NOT_COUNTED)}" stroke="black" stroke-width="0.03"')
-    for f, storey in found:
-        outline(f.plan, storey, 'fill="none" stroke="#d00000" stroke-width="0.06"')
-    path.write_text("\n".join(lines + ["</svg>\n"]), encoding="utf-8")
-    return path

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scans, models and grades scenes, seed by seed: what random_buildings.py and random_shapes.py share."""
+"""Scans, models and grades scenes, one by one: what random_buildings.py, random_shapes.py and others share."""
 import argparse
 import csv
+import importlib.util
 import json
 import pathlib
 import shlex
@@ -11,19 +12,34 @@ import sys
 import tempfile
 import time
 
+from .build import build
+from .kinds import KINDS
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+NAME = pathlib.Path(sys.argv[0]).name
 
 
-def parser(description, things):
+def require(*packages):
+    """Ends with a sentence where a Python package is missing."""
+    for name in packages:
+        if not importlib.util.find_spec(name):
+            sys.exit(f"{NAME}: the Python package {name} is missing; on Debian: apt install python3-{name}, and use /usr/bin/python3")
+
+
+def parser(description, things=None):
+    """Options of all; with `things` those of scenes by their seeds."""
     options = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("first", type=int)
-    options.add_argument("last", type=int)
+    if things:
+        options.add_argument("first", type=int)
+        options.add_argument("last", type=int)
+        options.add_argument("--keep-failures", type=pathlib.Path, metavar="DIR",
+                             help=f"where scene, scan, result and picture (needs matplotlib) of {things} go that are not all right")
+    if things == "buildings":
+        options.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
     options.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", help="folder of the programs")
     options.add_argument("--sedr", type=pathlib.Path, help="another pcl_sedr than that of --bin")
-    options.add_argument("--options", default="", help="options of pcl_sedr beside --no-mesh, in one argument")
+    options.add_argument("--options", default="", help="options of pcl_sedr beside --no-mesh, in one argument (%(default)s)")
     options.add_argument("--csv", type=pathlib.Path, help="the table; else it goes to the standard output")
-    options.add_argument("--keep-failures", type=pathlib.Path, metavar="DIR",
-                         help=f"where scene, scan, result and picture of {things} go that are not all right")
     options.add_argument("--folder", type=pathlib.Path, help="where scans go while they are needed")
     options.add_argument("--timeout", type=float, default=600, help="seconds a run of pcl_sedr may take")
     return options
@@ -58,6 +74,16 @@ def model(folder, options):
     return {"exit": code, "seconds": round(seconds, 1)}, text if code != 0 else ""
 
 
+def building(seed, folder, options, is_measured):
+    """The row so far of a building that was scanned and modelled, with the errors of real scans if it was measured."""
+    row = scan(build(seed, options.kind), seed, folder, options)
+    if is_measured:
+        from . import instrument  # needs numpy
+        instrument.spoil(folder, seed)
+    figures, message = model(folder, options)
+    return {**row, **figures, "message": message}
+
+
 def keep(folder, row, options):
     """Where a scene that is not all right stays, with its scan and result; None if it need not."""
     if not options.keep_failures or row["all_right"]:
@@ -70,28 +96,33 @@ def keep(folder, row, options):
 
 def all_seeds(options, programs, one, summary):
     """Grades the scenes of all seeds by one(seed, folder, options), writes the table and prints its summary."""
-    name = pathlib.Path(sys.argv[0]).name
     if options.last < options.first:
-        sys.exit(f"{name}: LAST is less than FIRST")
+        sys.exit(f"{NAME}: LAST is less than FIRST")
+    if options.keep_failures:
+        require("matplotlib")
+    all_rows(options, ["pcl_simulate_indoor_scan", *programs], range(options.first, options.last + 1), lambda *a: [one(*a)], summary)
+
+
+def all_rows(options, programs, things, rows_of, summary):
+    """Writes the table of what rows_of(thing, folder, options) gives, as it comes, and prints its summary."""
     for program in [options.bin / p for p in programs] + [options.sedr or options.bin / "pcl_sedr"]:
         if not program.exists():
-            sys.exit(f"{name}: there is no program {program}; build it, or see --bin and --sedr")
+            sys.exit(f"{NAME}: there is no program {program}; build it, or see --bin and --sedr")
     rows, failed = [], 0
     table = open(options.csv, "w", newline="", encoding="utf-8") if options.csv else sys.stdout
-    for seed in range(options.first, options.last + 1):
+    for thing in things:
         with tempfile.TemporaryDirectory(dir=options.folder) as folder:
             try:
-                row = one(seed, pathlib.Path(folder), options)
-            except RuntimeError as error:
-                print(f"{name}: {error}", file=sys.stderr)
+                for row in rows_of(thing, pathlib.Path(folder), options):
+                    writer = csv.DictWriter(table, row.keys())
+                    if not rows:
+                        writer.writeheader()
+                    writer.writerow(row)
+                    table.flush()
+                    rows.append(row)
+            except (OSError, RuntimeError, ValueError) as error:
+                print(f"{NAME}: {error}", file=sys.stderr)
                 failed += 1
-                continue
-        writer = csv.DictWriter(table, row.keys())
-        if not rows:
-            writer.writeheader()
-        writer.writerow(row)
-        table.flush()
-        rows.append(row)
     if rows:
         print(summary(rows))
     sys.exit(1 if failed else 0)

@@ -70,31 +70,14 @@ def write_xyz(path, points):
     pcd.write(path, np.ascontiguousarray(points, "<f4").view([(axis, "<f4") for axis in "xyz"]).ravel())
 
 
-def mixed(x):
-    """The splitmix64 generator: a well-mixed number for every count."""
-    with np.errstate(over="ignore"):
-        x = np.asarray(x, np.uint64) + np.uint64(0x9e3779b97f4a7c15)
-        x = (x ^ (x >> np.uint64(30))) * np.uint64(0xbf58476d1ce4e5b9)
-        x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94d049bb133111eb)
-        return x ^ (x >> np.uint64(31))
-
-
-def unit(x):
-    return (mixed(x) >> np.uint64(11)).astype(float) * 2.0 ** -53
-
-
 def samples(mesh, spacing=0.02, seed=1):
-    """The points of a mesh at which pcl_mesh_evaluation measures: evenly over the area, the same for the same seed."""
+    """Places on a mesh, evenly over its area, the same for the same seed."""
+    rng = np.random.default_rng(seed)
     summed = np.cumsum(mesh.areas())
-    count = int(np.ceil(summed[-1] / spacing ** 2 * (1 - 1e-12)))
-    numbers = np.arange(count, dtype=np.uint64)
-    with np.errstate(over="ignore"):
-        at = summed[-1] * (numbers + unit(mixed(seed) + numbers)) / count
-        triangle = np.minimum(np.searchsorted(summed, at, side="right"), len(summed) - 1)
-        key = mixed(np.uint64(seed) ^ mixed(triangle))
-        step = numbers - np.searchsorted(triangle, triangle, side="left")  # in the triangle, from 0
-        u = (unit(key) + 0.7548776662466927 * step) % 1
-        v = (unit(key + np.uint64(1)) + 0.5698402909980532 * step) % 1
+    count = int(np.ceil(summed[-1] / spacing ** 2))
+    triangle = np.searchsorted(summed, summed[-1] * (np.arange(count) + rng.random(count)) / count)
+    step = np.arange(count) - np.searchsorted(triangle, triangle)  # in the triangle, from 0
+    u, v = (rng.random((2, len(summed)))[:, triangle] + np.outer((0.7548776662466927, 0.5698402909980532), step)) % 1
     u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
     a, b, c = (mesh.corners[triangle, k] for k in range(3))
     return a + u[:, None] * (b - a) + v[:, None] * (c - a)

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from shapely.geometry import LineString
 
 from buildings import grades
 
@@ -38,29 +39,8 @@ def is_arc(element):
     return element["type"] == "arc"
 
 
-def sweep(arc):
-    """Radians, negative for clockwise arcs."""
-    start, end, centre = (np.array(arc[k], float) for k in ("start", "end", "centre"))
-    sign = 1 if arc.get("counter_clockwise", True) else -1
-    if np.linalg.norm(end - start) < 1e-9:
-        return sign * 2 * math.pi
-    first, last = (math.atan2(*(p - centre)[::-1]) for p in (start, end))
-    return sign * ((sign * (last - first)) % (2 * math.pi))
-
-
-def middle(arc):
-    centre, way = np.array(arc["centre"], float), np.subtract(arc["start"], arc["centre"])
-    angle = math.atan2(way[1], way[0]) + sweep(arc) / 2
-    return centre + arc["radius"] * np.array([math.cos(angle), math.sin(angle)])
-
-
-def distance_of_arc(arc, point):
-    way = point - np.array(arc["centre"], float)
-    turned = math.atan2(way[1], way[0]) - math.atan2(*np.subtract(arc["start"], arc["centre"])[::-1])
-    sign = math.copysign(1, sweep(arc))
-    if (sign * turned) % (2 * math.pi) <= abs(sweep(arc)):
-        return abs(np.linalg.norm(way) - arc["radius"])
-    return min(np.linalg.norm(point - np.array(arc[end])) for end in ("start", "end"))
+def line_of(element):
+    return LineString(grades.loop_points([element, dict(element, type="segment", start=element["end"])]))
 
 
 def direction(element, end):
@@ -114,8 +94,8 @@ def compare_loops(found, true, row):
                 keep_larger(row, "corner_distance_max", min(math.dist(e["start"], part[0]["start"]) for e in elements))
             if is_arc(part[0]):
                 row["arcs_true"] += 1
-                radius, at = part[0]["radius"], middle(part[0])
-                near = [abs(e["radius"] - radius) / radius for e in elements if is_arc(e) and distance_of_arc(e, at) < ARC_REACH]
+                radius, at = part[0]["radius"], line_of(part[0]).interpolate(0.5, normalized=True)
+                near = [abs(e["radius"] - radius) / radius for e in elements if is_arc(e) and line_of(e).distance(at) < ARC_REACH]
                 keep_larger(row, "radius_error", min([1, *near]))
     corners_found = sum(corners_among(len(loop)) for loop in (found["boundary"], *found["columns"]))
     row["corners_true"] += corners

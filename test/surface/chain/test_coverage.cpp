@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building_of_two_rooms.h"
+#include "says.h"
 
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/plan_review.h>
@@ -54,16 +55,14 @@ TEST(Coverage, IsTheShareOfTheFloorThatWasSeenWhichThePlanHolds)
     if (c.largest.empty())
       continue;
     EXPECT_EQ(coverage.largest()->reason.find(c.largest), 0u);
-    EXPECT_NE(sentenceOf(*coverageWarning(coverage)).find(c.largest),
-              std::string::npos);
+    EXPECT_TRUE(says(sentenceOf(*coverageWarning(coverage)), c.largest));
   }
   Building building = buildingOfTwoRooms();
   building.left_out = {{LeftOutKind::Low, "low", 30, 0, 1, {0, 9}}};
   EXPECT_EQ(coverageOf(building, whole).not_counted, 30);
   const std::string told =
       sentenceOf(*coverageWarning(coverageOf(buildingOfTwoRooms(), one)));
-  EXPECT_NE(told.find("6 of the 18 m2"), std::string::npos) << told;
-  EXPECT_NE(told.find("12 m2 around (0.1, 1.6)"), std::string::npos) << told;
+  EXPECT_TRUE(says(told, "6 of the 18 m2", "12 m2 around (0.1, 1.6)"));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "says.h"
 #include "surface/mesh/meshes.h"
 #include "surface/poisson/oriented_rooms.h"
 #include "tools/in_folder.h"
@@ -44,8 +45,8 @@ protected:
 TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
 {
   writeFile(in("room.pcd"), structureBytes(orientedPoints(smallRoom(), 0.125), 4));
-  const ProgramRun result = run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply")});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const ProgramRun result =
+      done(run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply")}));
   EXPECT_EQ(result.out + result.err, ""); // quiet when piped
   TriangleMesh mesh;
   ASSERT_EQ(loadMesh(in("mesh.ply"), mesh), "");
@@ -82,23 +83,17 @@ TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_al
   writeFile(in("cube.ply"), meshToPly(unitCube()));
   writeFile(in("large.ply"), meshToPly(box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})));
   writeCloud({1, 3});
-  ProgramRun result = run(MESH_EVALUATION, {in("cube.ply")});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("closed manifold     yes"), std::string::npos)
-      << result.out;
-  EXPECT_EQ(result.out.find("distances"), std::string::npos);
+  ProgramRun result = done(run(MESH_EVALUATION, {in("cube.ply")}));
+  EXPECT_TRUE(says(result.out, "closed manifold     yes"));
+  EXPECT_FALSE(says(result.out, "distances"));
 
-  result = run(MESH_EVALUATION,
-               {in("large.ply"), "--truth", in("cube.ply"), "--cloud", in("cloud.pcd"),
-                "--labels", "3", "--json", in("figures.json")});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("truth to model     15000    1.000"), std::string::npos)
-      << result.out;
-  EXPECT_NE(result.out.find("cloud to model         1    2.000"), std::string::npos)
-      << result.out;
+  result = done(run(MESH_EVALUATION,
+                    {in("large.ply"), "--truth", in("cube.ply"), "--cloud",
+                     in("cloud.pcd"), "--labels", "3", "--json", in("figures.json")}));
+  EXPECT_TRUE(says(result.out, "truth to model     15000    1.000",
+                   "cloud to model         1    2.000"));
   const std::string json = bytesOf(in("figures.json"));
-  EXPECT_NE(json.find("\"closed_manifold\": true"), std::string::npos);
-  EXPECT_NE(json.find("\"truth_to_mesh\""), std::string::npos);
+  EXPECT_TRUE(says(json, "\"closed_manifold\": true", "\"truth_to_mesh\""));
 }
 
 TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)

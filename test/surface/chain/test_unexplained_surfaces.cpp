@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seen_rooms.h"
+#include "two_storeys.h"
 
 #include <gtest/gtest.h>
 
@@ -67,12 +68,8 @@ TEST(UnexplainedSurfaces, AreSeenBehindAWall)
   }
   EXPECT_EQ(sentenceOf(unexplained(recessedRoom(-0.07F), plan)[0]),
             "wall 1.4: 1.4 m2 of what was seen there lie 7 cm behind it");
-  plan.openings.resize(1);
-  plan.openings[0].walls = {{1, 3}};
-  plan.openings[0].start = {0, 1};
-  plan.openings[0].end = {0, 2};
-  plan.openings[0].bottom = 0.5;
-  plan.openings[0].top = 2;
+  plan.openings = {
+      openingOf(OpeningKind::Unknown, {}, {{1, 3}}, {0, 1}, {0, 2}, 0.5, 2)};
   EXPECT_TRUE(unexplained(recessedRoom(-0.5F), plan).empty()) << "in a window";
   plan.openings.clear();
   plan.rooms.push_back(planned(2, -2, -0.15));
@@ -190,12 +187,8 @@ TEST(UnexplainedSurfaces, AreWindowsAsHighAsTheirWallThatShowNothingButABack)
     addRectangle({-0.3F, 0.5F, 0}, {0, 2 - beyond, 0}, {0, 0, 2.5F}, cloud);
     addRectangle({-0.8F, 2.5F - beyond, 0}, {0, beyond, 0}, {0, 0, 2.5F}, cloud);
     Floorplan plan{{planned(1, 0, 4)}};
-    plan.openings.resize(1);
-    plan.openings[0].walls = {{1, 3}};
-    plan.openings[0].start = {0, 0.5};
-    plan.openings[0].end = {0, 2.5};
-    plan.openings[0].bottom = 0.05;
-    plan.openings[0].top = 2.45;
+    plan.openings = {
+        openingOf(OpeningKind::Unknown, {}, {{1, 3}}, {0, 0.5}, {0, 2.5}, 0.05, 2.45)};
     const auto found = unexplained(cloud, plan);
     ASSERT_EQ(found.size(), beyond > 0 ? 0u : 1u);
     for (const PlanWarning& warning : found)
@@ -252,12 +245,8 @@ TEST(UnexplainedSurfaces, AreWallsThatLeanAwayFromThePlan)
 TEST(UnexplainedSurfaces, AreClosetsBeyondADoor)
 {
   Floorplan plan{{planned(1, 0, 4)}};
-  plan.openings.resize(1);
-  plan.openings[0].kind = OpeningKind::Door;
-  plan.openings[0].rooms = {1, 0};
-  plan.openings[0].start = {4.05, 1};
-  plan.openings[0].end = {4.05, 1.8};
-  plan.openings[0].top = 2;
+  plan.openings = {
+      openingOf(OpeningKind::Door, {1, 0}, {}, {4.05, 1}, {4.05, 1.8}, 0, 2)};
   Building building = buildingOfTwoRooms();
   building.left_out = {{LeftOutKind::Low, "small", 0.8, 0, 2.5, {4.6, 1.4}},
                        {LeftOutKind::Open, "a lift", 2.5, 0, 2.5, {5.2, 1.4}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "says.h"
 #include "two_storeys.h"
 
 #include "sedr_surface/src/drawing/plan_drawing.h"
@@ -17,12 +18,6 @@ inline Floorplan
 planOf(const PlanLoop& boundary)
 {
   return {{roomOf(boundary, 2.5)}};
-}
-
-inline bool
-holds(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
 }
 
 inline std::string

@@ -75,7 +75,7 @@ TEST(CeilingLines, AreWhereThereIsAStepOrAnAngleUnlessItIsTinyOnPaper)
     EXPECT_EQ(count > 0, scale < 50) << scale;
   }
   EXPECT_NEAR(lineLength("A-CLNG", dxfOf(tiny, ofCeiling())), 1, 1e-3);
-  EXPECT_TRUE(holds(svgOf(hipped, ofCeiling()), ">ridge 2.40<"));
+  EXPECT_TRUE(says(svgOf(hipped, ofCeiling()), ">ridge 2.40<"));
 }
 
 TEST(CeilingLines, OfAHeadroomEndAtSoffitsAndPlatforms)
@@ -111,7 +111,7 @@ TEST(CeilingLines, OfEqualHeightRunAroundADome)
   const std::string svg = svgOf(plan, ofCeiling(10));
   for (double up = 0.25; up < 2; up += 0.25) {
     length += 2 * M_PI * std::sqrt(4 - up * up);
-    EXPECT_TRUE(holds(svg, ">" + std::to_string(2 + up).substr(0, 4) + "<")) << up;
+    EXPECT_TRUE(says(svg, ">" + std::to_string(2 + up).substr(0, 4) + "<")) << up;
   }
   EXPECT_NEAR(lineLength("A-CLNG-CNTR", dxfOf(plan, ofCeiling())), length,
               0.01 * length);

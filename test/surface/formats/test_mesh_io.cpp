@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/mesh/meshes.h"
+#include "tools/in_folder.h"
 
 #include <gtest/gtest.h>
 #include <pcl/PolygonMesh.h>
@@ -11,43 +12,21 @@
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
-#include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <tuple>
 
 namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-class MeshIo : public ::testing::Test {
+class MeshIo : public programs::InFolder<> {
 protected:
-  void SetUp() override
-  {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("sedr_mesh_io_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   std::string write(const std::string& name, const std::string& content) const
   {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
+    std::ofstream(in(name), std::ios::binary) << content;
+    return in(name);
   }
-
-  std::string read(const std::string& name) const
-  {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-
-  std::filesystem::path folder_;
 };
 
 void
@@ -55,7 +34,7 @@ expectFailure(const std::string& reason,
               const std::string& part,
               const TriangleMesh& mesh)
 {
-  EXPECT_NE(reason.find(part), std::string::npos) << "said: " << reason;
+  EXPECT_TRUE(says(reason, part));
   EXPECT_TRUE(mesh.empty());
   EXPECT_TRUE(mesh.vertices.empty());
 }
@@ -76,7 +55,7 @@ TEST_F(MeshIo, a_mesh_comes_back_to_the_last_digit_of_a_float)
   }
   write("torus.ply", meshToPly(mesh));
   TriangleMesh copy;
-  ASSERT_EQ(loadMesh(path("torus.ply"), copy), "");
+  ASSERT_EQ(loadMesh(in("torus.ply"), copy), "");
   EXPECT_EQ(copy.triangles, mesh.triangles);
   EXPECT_EQ(copy.labels, mesh.labels);
   EXPECT_EQ(copy.rooms, mesh.rooms);
@@ -94,7 +73,7 @@ TEST_F(MeshIo, pcl_reads_labels_rooms_and_colours_of_vertices)
   mesh.rooms = {7, 7};
   write("corner.ply", meshToPly(mesh));
   pcl::PolygonMesh read;
-  ASSERT_GE(pcl::io::loadPLYFile(path("corner.ply"), read), 0);
+  ASSERT_GE(pcl::io::loadPLYFile(in("corner.ply"), read), 0);
   EXPECT_EQ(read.polygons.size(), 2u);
   pcl::PointCloud<pcl::PointXYZL> labelled;
   pcl::fromPCLPointCloud2(read.cloud, labelled);
@@ -153,30 +132,24 @@ TEST_F(MeshIo, obj_with_slashes_negative_indices_and_a_concave_polygon_is_read)
 TEST_F(MeshIo, bad_files_are_told_apart)
 {
   TriangleMesh mesh = unitCube();
-  expectFailure(loadMesh(path("none.ply"), mesh), "cannot be opened", mesh);
-  expectFailure(loadMesh(folder_.string(), mesh), "is a folder", mesh);
-  expectFailure(loadMesh(write("0", ""), mesh), "is empty", mesh);
-  expectFailure(loadMesh(write("text", "hello\n"), mesh), "neither a PLY nor an OBJ",
-                mesh);
-  expectFailure(loadMesh(write("h.ply", "ply\nformat ascii 1.0\n"), mesh),
-                "header does not end", mesh);
-  expectFailure(loadMesh(write("f.ply", "ply\nformat utf8 1.0\nend_header\n"), mesh),
-                "its format is 'utf8'", mesh);
-  expectFailure(
-      loadMesh(write("b.ply", "ply\nformat ascii 1.0\nelement vertex\n"), mesh),
-      "'' is no number of elements", mesh);
-  expectFailure(loadMesh(write("p.obj", "v 1 2 3\n"), mesh),
-                "1 vertices and no triangles", mesh);
-  expectFailure(loadMesh(write("r.obj", "v 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 4\n"), mesh),
-                "bad vertex '4' in line 4", mesh);
-  expectFailure(loadMesh(write("v.obj", "v 1 2 3\nv 2 2\nf 1 1 1\n"), mesh),
-                "without three coordinates in line 2", mesh);
+  expectFailure(loadMesh(in("none.ply"), mesh), "cannot be opened", mesh);
+  expectFailure(loadMesh(folder_.path().string(), mesh), "is a folder", mesh);
+  for (const auto& [name, content, part] :
+       {std::tuple("0", "", "is empty"),
+        {"text", "hello\n", "neither a PLY nor an OBJ"},
+        {"h.ply", "ply\nformat ascii 1.0\n", "header does not end"},
+        {"f.ply", "ply\nformat utf8 1.0\nend_header\n", "its format is 'utf8'"},
+        {"b.ply", "ply\nformat ascii 1.0\nelement vertex\n",
+         "'' is no number of elements"},
+        {"p.obj", "v 1 2 3\n", "1 vertices and no triangles"},
+        {"r.obj", "v 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 4\n", "bad vertex '4' in line 4"},
+        {"v.obj", "v 1 2 3\nv 2 2\nf 1 1 1\n", "without three coordinates in line 2"}})
+    expectFailure(loadMesh(write(name, content), mesh), part, mesh);
 }
 
 TEST_F(MeshIo, every_truncation_of_a_file_is_noticed)
 {
-  write("cube.ply", meshToPly(unitCube()));
-  const std::string whole = read("cube.ply");
+  const std::string whole = meshToPly(unitCube());
   for (std::size_t size = 1; size < whole.size(); size += 7) {
     TriangleMesh mesh;
     EXPECT_NE(loadMesh(write("part.ply", whole.substr(0, size)), mesh), "") << size;

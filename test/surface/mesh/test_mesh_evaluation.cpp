@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes.h"
+#include "says.h"
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/point_types.h>
@@ -101,7 +102,7 @@ TEST(MeshEvaluation, self_intersections_are_found_when_asked_for)
   EXPECT_GT(result.mesh.self_intersections.value(), 0u);
   std::ostringstream json;
   writeJson(json, result);
-  EXPECT_NE(json.str().find("\"self_intersections\": "), std::string::npos);
+  EXPECT_TRUE(says(json.str(), "\"self_intersections\": "));
   evaluation.setInputMesh(share(unitCube()));
   ASSERT_TRUE(evaluation.compute(result));
   EXPECT_EQ(result.mesh.self_intersections.value(), 0u);
@@ -114,8 +115,7 @@ TEST(MeshEvaluation, bad_input_gives_a_reason_and_an_empty_result)
   const auto expectReason = [&](const std::string& part) {
     result.sample_spacing = 1;
     EXPECT_FALSE(evaluation.compute(result));
-    EXPECT_NE(evaluation.getErrorMessage().find(part), std::string::npos)
-        << evaluation.getErrorMessage();
+    EXPECT_TRUE(says(evaluation.getErrorMessage(), part));
     EXPECT_EQ(result.sample_spacing, 0);
     EXPECT_FALSE(result.cloud_to_mesh.has_value());
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshes.h"
+#include "says.h"
 #include "sedr_surface/src/mesh/mesh_repair.h"
 
 #include <gtest/gtest.h>
@@ -165,16 +166,15 @@ TEST(PolygonMesh, what_is_no_mesh_is_refused_with_a_reason)
 {
   pcl::PolygonMesh polygons;
   TriangleMesh mesh = unitCube();
-  EXPECT_NE(fromPolygonMesh(polygons, mesh).find("no field x"), std::string::npos);
+  EXPECT_TRUE(says(fromPolygonMesh(polygons, mesh), "no field x"));
   EXPECT_TRUE(mesh.empty());
   toPolygonMesh(unitCube(), polygons);
   polygons.polygons[3].vertices[1] = 77;
-  EXPECT_NE(fromPolygonMesh(polygons, mesh).find("polygon 3 uses vertex 77"),
-            std::string::npos);
+  EXPECT_TRUE(says(fromPolygonMesh(polygons, mesh), "polygon 3 uses vertex 77"));
   toPolygonMesh(unitCube(), polygons);
   polygons.cloud.data.resize(20);
-  EXPECT_NE(fromPolygonMesh(polygons, mesh).find("says 8 points, but holds 20 bytes"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(fromPolygonMesh(polygons, mesh), "says 8 points, but holds 20 bytes"));
   EXPECT_TRUE(mesh.empty());
 }
 

@@ -31,11 +31,9 @@ openingAt(std::array<std::uint32_t, 2> rooms,
 
 /** Two rooms of 5 m x 4 m with a wall of 20 cm between them. */
 Floorplan
-wallOfTwoRooms()
+wallOfTwoRooms(const std::vector<PlanOpening>& openings)
 {
-  Floorplan plan;
-  plan.rooms = {boxOf(1, 0, 0, 5, 4), boxOf(2, 0, 4.2, 5, 8.2)};
-  return plan;
+  return {{boxOf(1, 0, 0, 5, 4), boxOf(2, 0, 4.2, 5, 8.2)}, {}, {}, openings};
 }
 
 /** From east to west, so that the first room is on its left. */
@@ -78,8 +76,7 @@ struct CutSolid {
 
 TEST(CutOpenings, AreClosedUnlessAskedFor)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {door(1, 2)};
+  Floorplan plan = wallOfTwoRooms({door(1, 2)});
   Extrusion extrusion;
   extrusion.setFloorplan(plan);
   pcl::PolygonMesh unused;
@@ -90,9 +87,7 @@ TEST(CutOpenings, AreClosedUnlessAskedFor)
 
 TEST(CutOpenings, OfADoorJoinTwoRoomsByItsReveals)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {door(1, 2)};
-  const CutSolid cut(plan);
+  const CutSolid cut(wallOfTwoRooms({door(1, 2)}));
   cut.expectSound(1);
   EXPECT_NEAR(cut.volume(), 100 + 1 * 2 * 0.2, 1e-5);
   EXPECT_EQ(cut.topology.euler_characteristic, 2);
@@ -107,8 +102,7 @@ TEST(CutOpenings, OfADoorJoinTwoRoomsByItsReveals)
 
 TEST(CutOpenings, OfTwoDoorsMakeARing)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {door(1, 2), door(1, 2)};
+  Floorplan plan = wallOfTwoRooms({door(1, 2), door(1, 2)});
   plan.openings[1].start.x() += 1.5;
   plan.openings[1].end.x() += 1.5;
   const CutSolid cut(plan);
@@ -118,8 +112,8 @@ TEST(CutOpenings, OfTwoDoorsMakeARing)
 
 TEST(CutOpenings, OfAWindowEndAtTheOuterFace)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {openingAt({1, 0}, {4, -0.15}, {2, -0.15}, 0.9, 2.2, 0.3)};
+  Floorplan plan =
+      wallOfTwoRooms({openingAt({1, 0}, {4, -0.15}, {2, -0.15}, 0.9, 2.2, 0.3)});
   // South of the room the direction from east to west has the room on its right.
   std::swap(plan.openings[0].start, plan.openings[0].end);
   const CutSolid cut(plan);
@@ -130,18 +124,15 @@ TEST(CutOpenings, OfAWindowEndAtTheOuterFace)
 
 TEST(CutOpenings, OfAPassageReachFloorAndCeiling)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {door(2, 2.49)};
-  const CutSolid cut(plan);
+  const CutSolid cut(wallOfTwoRooms({door(2, 2.49)}));
   cut.expectSound(1);
   EXPECT_NEAR(cut.volume(), 100 + 2 * 2.5 * 0.2, 1e-5);
 }
 
 TEST(CutOpenings, StandOnTheHigherFloor)
 {
-  Floorplan plan = wallOfTwoRooms();
+  Floorplan plan = wallOfTwoRooms({door(1, 2)});
   plan.rooms[1].floor.plane[3] = -0.15;
-  plan.openings = {door(1, 2)};
   plan.openings[0].bottom = 0.15;
   const CutSolid cut(plan);
   cut.expectSound(1);
@@ -150,8 +141,7 @@ TEST(CutOpenings, StandOnTheHigherFloor)
 
 TEST(CutOpenings, HaveArchedHeads)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {door(1, 2)};
+  Floorplan plan = wallOfTwoRooms({door(1, 2)});
   plan.openings[0].rise = 0.5;
   const CutSolid round(plan);
   round.expectSound(1);
@@ -195,8 +185,8 @@ TEST(CutOpenings, FollowCurvedWalls)
 
 TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {openingAt({1, 0}, {1, 10}, {2, 10}, 0, 2, 0.2), door(1, 2)};
+  Floorplan plan =
+      wallOfTwoRooms({openingAt({1, 0}, {1, 10}, {2, 10}, 0, 2, 0.2), door(1, 2)});
   CutSolid cut(plan);
   cut.expectSound(
       1, "of 2 openings 1 are closed in the solid, number 1 of floorplan.json");
@@ -212,8 +202,8 @@ TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
 
 TEST(CutOpenings, AreCutIntoThePaneThatAPlanWasDrawnTo)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)};
+  Floorplan plan =
+      wallOfTwoRooms({openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)});
   plan.rooms[1].niches = {{rectangle(1, 8.2, 2, 8.4), slabAt(1), slabAt(2)}};
   plan.openings.push_back(openingAt({2, 0}, {2, 8.3}, {1, 8.3}, 1, 2, 0.2));
   const CutSolid cut(plan);
@@ -226,9 +216,9 @@ TEST(CutOpenings, AreCutIntoThePaneThatAPlanWasDrawnTo)
 
 TEST(CutOpenings, AreNotCutIntoThePaneOfAnotherRoom)
 {
-  Floorplan plan = wallOfTwoRooms();
+  Floorplan plan =
+      wallOfTwoRooms({openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)});
   plan.rooms.push_back(boxOf(3, 0, -3, 5, -0.01)); // right behind the pane
-  plan.openings = {openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)};
   const CutSolid outside(plan);
   outside.expectSound(
       3, "of 1 openings 1 are closed in the solid, number 1 of floorplan.json");
@@ -241,9 +231,7 @@ TEST(CutOpenings, AreNotCutIntoThePaneOfAnotherRoom)
 
 TEST(CutOpenings, NeedNothingWhereARoomGoesOnThroughThem)
 {
-  Floorplan plan = wallOfTwoRooms();
-  plan.openings = {openingAt({1, 1}, {3, 2}, {2, 2}, 0, 2, 0.1)};
-  const CutSolid cut(plan);
+  const CutSolid cut(wallOfTwoRooms({openingAt({1, 1}, {3, 2}, {2, 2}, 0, 2, 0.1)}));
   cut.expectSound(2);
   EXPECT_NEAR(cut.volume(), 100, 1e-5);
 }

@@ -28,10 +28,9 @@ TEST_F(CompareTool, WritesJson)
 {
   Floorplan before = twoRooms();
   before.rooms[1].columns.push_back(columnLoop(7, 2, 7.5, 2.4));
-  const ProgramRun result =
+  const ProgramRun result = done(
       run(STRUCTURE_COMPARE, {plan("a.json", before), plan("b.json", twoRooms(5.3)),
-                              "--json", in("d.json")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+                              "--json", in("d.json")}));
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2);
   const auto json = nlohmann::json::parse(bytesOf(in("d.json")));
   ASSERT_EQ(json.at("changes").size(), 2u);
@@ -43,9 +42,8 @@ TEST_F(CompareTool, CountsBothModelsFromOneOrigin)
   const Eigen::Vector3d far(5000, 4000, 100);
   writeFile(in("b.json"), documentToJson({twoRooms(), Origin{far}}));
   const ProgramRun result =
-      run(STRUCTURE_COMPARE,
-          {plan("a.json", pcl::sedr::moved(twoRooms(), 0, far)), in("b.json")});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
+      done(run(STRUCTURE_COMPARE,
+               {plan("a.json", pcl::sedr::moved(twoRooms(), 0, far)), in("b.json")}));
   EXPECT_EQ(result.out, "nothing has changed\n");
 }
 
@@ -62,27 +60,23 @@ TEST_F(CompareTool, RefusesWhatIsNoModel)
     const ProgramRun result = run(STRUCTURE_COMPARE, arguments);
     expectSentence(result, 1);
   }
-  const ProgramRun same = run(STRUCTURE_COMPARE, {good, good});
-  EXPECT_EQ(same.exit_code, 0);
+  const ProgramRun same = done(run(STRUCTURE_COMPARE, {good, good}));
   EXPECT_EQ(same.out, "nothing has changed\n");
 }
 
 TEST_F(CompareTool, NamesExactlyWhatChangedBetweenTwoScans)
 {
   for (const std::string name : {"before", "after"}) {
-    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN,
-                  {DOC_FOLDER + std::string("/scenes/office_") + name + ".json",
-                   in(name), "--rays", "120000"})
-                  .exit_code,
-              0);
+    done(run(SIMULATE_INDOOR_SCAN,
+             {DOC_FOLDER + std::string("/scenes/office_") + name + ".json", in(name),
+              "--rays", "120000"}));
     ASSERT_EQ(
         run(SEDR, {in(name + "/scan.pcd"), in(name + "/model"), "--no-mesh"}).exit_code,
         0);
   }
   const ProgramRun result =
-      run(STRUCTURE_COMPARE,
-          {in("before/model"), in("after/model"), "--json", in("changes.json")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+      done(run(STRUCTURE_COMPARE,
+               {in("before/model"), in("after/model"), "--json", in("changes.json")}));
   const auto changes = nlohmann::json::parse(bytesOf(in("changes.json"))).at("changes");
   ASSERT_EQ(changes.size(), 3u) << result.out;
   EXPECT_EQ(changes[0].at("what"), "partition");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_file.h"
 #include "tools/in_folder.h"
 #include "tools/sample_result.h"
 
@@ -43,6 +44,11 @@ protected:
 
   std::string model() const { return in("model"); }
 
+  ProgramRun edit(const std::vector<std::string>& edits) const
+  {
+    return run(FLOORPLAN_EDIT, {model()}, edits);
+  }
+
   Json reportNow() const { return Json::parse(bytesOf(in("model/report.json"))); }
 
   bool has(const std::string& name) const
@@ -64,9 +70,7 @@ protected:
 TEST_F(EditedModel, AllFilesThatFollowFromThePlanAreOfTheNewOneAndAgree)
 {
   const std::string mesh = bytesOf(in("model/mesh.ply"));
-  const ProgramRun result =
-      run(FLOORPLAN_EDIT, {model(), "--move-wall", "2.2=0.5", "--name", "2=Küche"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const ProgramRun result = done(edit({"--move-wall", "2.2=0.5", "--name", "2=Küche"}));
   EXPECT_EQ(result.out, "wall 2.2 is moved outwards by 0.500 m; room 2 has 12.00 m2 in "
                         "place of 10.50\nroom 2 is called Küche\nall files that follow "
                         "from the plan are written, still of the scan: mesh.ply, "
@@ -96,29 +100,26 @@ TEST_F(EditedModel, AllFilesThatFollowFromThePlanAreOfTheNewOneAndAgree)
                                        {10, "volume"}})
       EXPECT_NEAR(std::stod(fields.at(column)), room[name], 0.0006) << name;
   }
-  EXPECT_NE(bytesOf(in("model/rooms.csv")).find("2,Küche,storey 1,12.000,"),
-            std::string::npos);
-  EXPECT_NE(bytesOf(in("model/model.ifc")).find("12."), std::string::npos);
-  EXPECT_NE(bytesOf(in("model/floorplan.svg")).find("12.00 m"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("model/rooms.csv")), "2,Küche,storey 1,12.000,"));
+  EXPECT_TRUE(says(bytesOf(in("model/model.ifc")), "12."));
+  EXPECT_TRUE(says(bytesOf(in("model/floorplan.svg")), "12.00 m"));
 }
 
 TEST_F(EditedModel, SheetsAndIfcKeepTheTextsOfTheRun)
 {
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--name", "2=Hall"}).exit_code, 0);
+  done(edit({"--name", "2=Hall"}));
   const std::string sheet = bytesOf(in("model/floorplan.svg"));
   for (const char* text : {"Mill Lane 14", "Smith", "P-17", "2024-05-31", "EK"})
-    EXPECT_NE(sheet.find(">" + std::string(text) + "<"), std::string::npos) << text;
-  EXPECT_NE(sheet.find(">A<"), std::string::npos) << "where section A-A runs";
-  EXPECT_NE(bytesOf(in("model/section_rooms.svg")).find(">Section A-A<"),
-            std::string::npos);
-  EXPECT_NE(
-      bytesOf(in("model/model.ifc")).find("('P-17.ifc','2024-05-31T00:00:00',('EK')"),
-      std::string::npos);
+    EXPECT_TRUE(says(sheet, ">" + std::string(text) + "<")) << text;
+  EXPECT_TRUE(says(sheet, ">A<")) << "where section A-A runs";
+  EXPECT_TRUE(says(bytesOf(in("model/section_rooms.svg")), ">Section A-A<"));
+  EXPECT_TRUE(
+      says(bytesOf(in("model/model.ifc")), "('P-17.ifc','2024-05-31T00:00:00',('EK')"));
 }
 
 TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)
 {
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--move-wall", "2.2=0.5"}).exit_code, 0);
+  done(edit({"--move-wall", "2.2=0.5"}));
   const Json report = reportNow();
   EXPECT_EQ(report["rooms"][0]["mesh"], "of 1");
   EXPECT_TRUE(report["rooms"][1]["mesh"].is_null());
@@ -141,7 +142,7 @@ TEST_F(EditedModel, WhatWasToldOfUntouchedRoomsAndWallsStays)
 
 TEST_F(EditedModel, ARoomOfAnotherHeightIsNotTheOneThatWasMeasured)
 {
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "1=2.4"}).exit_code, 0);
+  done(edit({"--ceiling", "1=2.4"}));
   const Json rooms = reportNow()["rooms"];
   EXPECT_TRUE(rooms[0]["mesh"].is_null());
   EXPECT_EQ(rooms[0]["inferred_floor"], 0);
@@ -152,13 +153,11 @@ TEST_F(EditedModel, ARoomOfAnotherHeightIsNotTheOneThatWasMeasured)
 
 TEST_F(EditedModel, DoubtsOfWallsFollowTheirNumbers)
 {
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "1,2,-9,2,9"}).exit_code, 0);
-  std::string problem;
-  const auto plan =
-      pcl::sedr::floorplanFromJson(bytesOf(in("model/floorplan.json")), problem);
-  ASSERT_EQ(plan.rooms.size(), 3u) << problem;
+  done(edit({"--split", "1,2,-9,2,9"}));
+  EXPECT_EQ(pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan.rooms.size(),
+            3U);
   EXPECT_EQ(reportNow()["warnings"].size(), 5u) << "1.3 was cut: its doubt goes";
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--merge", "3,2"}).exit_code, 0);
+  done(edit({"--merge", "3,2"}));
   const Json report = reportNow();
   const auto doubt =
       std::find_if(report["warnings"].begin(), report["warnings"].end(),
@@ -184,15 +183,15 @@ TEST_F(EditedModel, ADoubtAboutRoomsGoesWhenTheyAreMergedOrSplit)
         kinds += doubt["kind"].get<std::string>() + " " + doubt["room"].dump() + ",";
     return kinds;
   };
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "1=2.4"}).exit_code, 0);
+  done(edit({"--ceiling", "1=2.4"}));
   EXPECT_EQ(doubted(), "one_room 1,two_rooms 2,") << "as they were";
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "1,2,-9,2,9"}).exit_code, 0);
+  done(edit({"--split", "1,2,-9,2,9"}));
   EXPECT_EQ(doubted(), "one_room 1,two_rooms 2,") << "another was split";
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--split", "2,6,-9,6,9"}).exit_code, 0);
+  done(edit({"--undo"}));
+  done(edit({"--split", "2,6,-9,6,9"}));
   EXPECT_EQ(doubted(), "one_room 1,");
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--merge", "1,2"}).exit_code, 0);
+  done(edit({"--undo"}));
+  done(edit({"--merge", "1,2"}));
   EXPECT_EQ(doubted(), "two_rooms 1,") << "of the room that it is a part of now";
 }
 
@@ -200,18 +199,18 @@ TEST_F(EditedModel, UndoGoesBackToThePlanAndTheReportBefore)
 {
   const std::string plan = bytesOf(in("model/floorplan.json"));
   const auto first = doubts();
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--drop", "1"}).exit_code, 0);
+  done(edit({"--drop", "1"}));
   const std::string one_room = bytesOf(in("model/floorplan.json"));
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "2=3"}).exit_code, 0);
+  done(edit({"--ceiling", "2=3"}));
   EXPECT_TRUE(has("floorplan.json~") && has("report.json~~"));
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
+  done(edit({"--undo"}));
   EXPECT_EQ(bytesOf(in("model/floorplan.json")), one_room);
   EXPECT_FALSE(has("floorplan.json~~"));
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--undo"}).exit_code, 0);
+  done(edit({"--undo"}));
   EXPECT_EQ(bytesOf(in("model/floorplan.json")), plan);
   EXPECT_EQ(doubts(), first);
   EXPECT_FALSE(has("floorplan.json~") || has("report.json~"));
-  expectSentence(run(FLOORPLAN_EDIT, {model(), "--undo"}), 1, "no edit to undo");
+  expectSentence(edit({"--undo"}), 1, "no edit to undo");
 }
 
 TEST_F(EditedModel, AConfirmedWallIsDoubtedNoMore)
@@ -221,48 +220,42 @@ TEST_F(EditedModel, AConfirmedWallIsDoubtedNoMore)
     return std::count_if(report["doubts"].begin(), report["doubts"].end(),
                          [&](const Json& doubt) { return doubt["subject"] == wall; });
   };
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--name", "1=Hall"}).exit_code, 0);
+  done(edit({"--name", "1=Hall"}));
   EXPECT_EQ(areDoubted("wall 1.3"), 1);
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--confirm", "1.3"}).exit_code, 0);
+  done(edit({"--confirm", "1.3"}));
   EXPECT_EQ(areDoubted("wall 1.3"), 0);
   const auto told = doubts();
   EXPECT_EQ(std::count(told.begin(), told.end(), "wall 1.3: off"), 1)
       << "what the scan shows stays";
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--ceiling", "2=3"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("model/floorplan.json")).find("\"confirmed\""),
-            std::string::npos);
+  done(edit({"--ceiling", "2=3"}));
+  EXPECT_TRUE(says(bytesOf(in("model/floorplan.json")), "\"confirmed\""));
 }
 
 TEST_F(EditedModel, AfterAnotherRunThereIsNoEditToUndo)
 {
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {model(), "--name", "1=Hall"}).exit_code, 0);
+  done(edit({"--name", "1=Hall"}));
   // As pcl_sedr keeps it when it writes another one.
   std::filesystem::rename(in("model/floorplan.json"), in("model/floorplan.json~~"));
   SampleResult().writeTo(model());
   const std::string plan = bytesOf(in("model/floorplan.json"));
-  expectSentence(run(FLOORPLAN_EDIT, {model(), "--undo"}), 1, "no edit to undo");
+  expectSentence(edit({"--undo"}), 1, "no edit to undo");
   EXPECT_EQ(bytesOf(in("model/floorplan.json")), plan);
 }
 
 TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
 {
   writeFile(in("model/report.html"), "of a run");
-  const std::vector<std::string> edit{model(), "--name", "1=Hall; 2=Bath"};
-  EXPECT_EQ(run(FLOORPLAN_EDIT, edit).err.find("in place of the scan"),
-            std::string::npos)
+  EXPECT_FALSE(says(edit({"--name", "1=Hall; 2=Bath"}).err, "in place of the scan"))
       << "it is beside the folder";
-  EXPECT_EQ(bytesOf(in("model/report.html")).find("floorplan.json~"),
-            std::string::npos);
+  EXPECT_FALSE(says(bytesOf(in("model/report.html")), "floorplan.json~"));
   for (const bool is_other : {true, false}) { // a scan of the name, or none
     if (is_other)
       std::filesystem::copy_file(in("model/structure.pcd"), in("scan.pcd"),
                                  std::filesystem::copy_options::overwrite_existing);
     else
       std::filesystem::remove(in("scan.pcd"));
-    const ProgramRun result = run(FLOORPLAN_EDIT, edit);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.err.find("the page shows the points of structure.pcd"),
-              std::string::npos)
+    const ProgramRun result = done(edit({"--name", "1=Hall; 2=Bath"}));
+    EXPECT_TRUE(says(result.err, "the page shows the points of structure.pcd"))
         << is_other;
   }
 }
@@ -270,10 +263,8 @@ TEST_F(EditedModel, ThePageTellsWhatItShowsInPlaceOfTheScan)
 TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
 {
   const std::string report = bytesOf(in("model/report.json"));
-  expectSentence(run(FLOORPLAN_EDIT, {model(), "--merge", "1,7"}), 1,
-                 "no room 7; there are: 1, 2");
-  expectSentence(run(FLOORPLAN_EDIT, {model(), in("x.json"), "--drop", "1"}), 1,
-                 "folder");
+  expectSentence(edit({"--merge", "1,7"}), 1, "no room 7; there are: 1, 2");
+  expectSentence(edit({in("x.json"), "--drop", "1"}), 1, "folder");
   EXPECT_EQ(bytesOf(in("model/report.json")), report);
   EXPECT_FALSE(has("floorplan.json~") || has("model.ifc"));
   for (const double other : {-1.0, 1e300}) {
@@ -281,14 +272,13 @@ TEST_F(EditedModel, ARefusedEditLeavesTheFolderAsItIs)
     wrong["warnings"] = {
         {{"kind", "one_room"}, {"room", 1}, {"values", {3, 40, other}}}};
     writeFile(in("model/report.json"), wrong.dump());
-    expectSentence(run(FLOORPLAN_EDIT, {model(), "--ceiling", "1=2.4"}), 1,
-                   "that is no number of a room");
+    expectSentence(edit({"--ceiling", "1=2.4"}), 1, "that is no number of a room");
     EXPECT_FALSE(has("floorplan.json~")) << other;
   }
   expectSentence(run(FLOORPLAN_EDIT, {in("nosuch"), "--drop", "1"}), 1,
                  "there is no folder or floor plan");
   std::filesystem::remove(in("model/report.json"));
-  expectSentence(run(FLOORPLAN_EDIT, {model(), "--drop", "1"}), 1, "no report.json");
+  expectSentence(edit({"--drop", "1"}), 1, "no report.json");
 }
 
 } // namespace

@@ -7,7 +7,6 @@ built-in scenes, a house with roofs, and plans of real scans.
 """
 
 import json
-import math
 import os
 import re
 import subprocess
@@ -16,8 +15,16 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
+from shapely.affinity import rotate
+from shapely.geometry import box
+
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "ifc"))
 from ifc_samples import house  # noqa: E402
+
+try:
+    import ezdxf
+except ImportError:
+    ezdxf = None
 
 DRAWING, SIMULATOR, MODELS = sys.argv[1:4]
 # Many rooms, small ones, round walls, columns, stairs, coffers.
@@ -32,60 +39,41 @@ def width_of(text):
     return sum(0.26 if c in " .,:;'iljItf()|-" else 0.84 if c in "mwMW" else 0.57 for c in text)
 
 
-class Box:
+class Text:
+    """A text and the box that it fills: letters are 0.72 high, and some hang below the line."""
+
     def __init__(self, text, font, x, y, degrees, is_from_start=False):
-        angle = math.radians(degrees)
         self.text, self.font = text, font
-        self.way = (math.cos(angle), math.sin(angle))
-        # Letters are 0.72 high, and some hang below the line.
-        self.half = (width_of(text) * font / 2, 0.4 * font)
-        shift = self.half[0] if is_from_start else 0
-        self.middle = (x + shift * self.way[0], y + shift * self.way[1])
-
-    def corners(self):
-        (x, y), (a, b), (u, v) = self.middle, self.half, self.way
-        return [(x + i * a * u - j * b * v, y + i * a * v + j * b * u) for i in (-1, 1) for j in (-1, 1)]
-
-    def is_parted_from(self, other):
-        """Whether other lies beyond one of the sides of this box."""
-        for axis, half in ((self.way, self.half[0]), ((-self.way[1], self.way[0]), self.half[1])):
-            reach = [(x - self.middle[0]) * axis[0] + (y - self.middle[1]) * axis[1] for x, y in other.corners()]
-            if min(reach) >= half or max(reach) <= -half:
-                return True
-        return False
-
-    def meets(self, other):
-        return not self.is_parted_from(other) and not other.is_parted_from(self)
+        width = width_of(text) * font
+        low = x if is_from_start else x - width / 2
+        self.box = rotate(box(low, y - 0.4 * font, low + width, y + 0.4 * font), degrees, (x, y))
 
 
-def boxes_of(path):
+def texts_of(path):
     root = xml.etree.ElementTree.parse(path).getroot()
     size = [float(root.get(k)[:-2]) for k in ("width", "height")]
-    return size, [box_of(t) for t in root.iter("{http://www.w3.org/2000/svg}text")]
+    return box(0, 0, *size), [text_of(t) for t in root.iter("{http://www.w3.org/2000/svg}text")]
 
 
-def box_of(element):
+def text_of(element):
     x, y, font = (float(element.get(k)) for k in ("x", "y", "font-size"))
     turn = re.match(r"rotate\((\S+)", element.get("transform", "rotate(0"))
-    return Box(element.text, font, x, y, float(turn.group(1)), element.get("text-anchor") == "start")
+    return Text(element.text, font, x, y, float(turn.group(1)), element.get("text-anchor") == "start")
 
 
-def boxes_of_dxf(path):
-    """Texts and those of dimensions; None without ezdxf."""
-    try:
-        import ezdxf
-    except ImportError:
-        return None
+def texts_of_dxf(path):
+    """Texts and those of dimensions, on no paper."""
     drawing = ezdxf.readfile(path)
     texts = list(drawing.modelspace().query("TEXT"))
     for dimension in drawing.modelspace().query("DIMENSION"):
         texts += drawing.blocks.get(dimension.dxf.geometry).query("TEXT")
-    return [Box(t.dxf.text.replace("%%c", "o"), t.dxf.height / 0.72, t.dxf.align_point[0], t.dxf.align_point[1],
-                t.dxf.rotation) for t in texts]
+    return None, [Text(t.dxf.text.replace("%%c", "o"), t.dxf.height / 0.72, t.dxf.align_point[0], t.dxf.align_point[1],
+                 t.dxf.rotation) for t in texts]
 
 
-def collisions(boxes):
-    return [(a.text, b.text) for i, a in enumerate(boxes) for b in boxes[:i] if a.meets(b)]
+def collisions(texts):
+    return [(a.text, b.text) for i, a in enumerate(texts) for b in texts[:i]
+            if a.box.intersects(b.box) and not a.box.touches(b.box)]
 
 
 def plan_of(truth):
@@ -123,40 +111,29 @@ class DrawingTexts(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result.stdout
 
-    def expect_free_texts(self, plan, scales=("0", "50", "200")):
+    def expect_free(self, plan, ending, least, *options):
         """On every sheet of a plan."""
-        for scale in scales:
-            self.run_tool(DRAWING, plan, self.path("sheet.svg"), "--scale", scale, "--wall-numbers")
-            for name in filter(re.compile(r"sheet(_\d+)?\.svg$").match, sorted(os.listdir(self.folder))):
-                size, boxes = boxes_of(self.path(name))
-                os.remove(self.path(name))
-                what = "%s %s 1:%s" % (plan, name, scale)
-                self.assertGreater(len(boxes), 15, what)
-                self.assertEqual(collisions(boxes), [], what)
-                for box in boxes:
-                    self.assertGreaterEqual(box.font, 1.7, "%s %s can be read" % (what, box.text))
-                    for x, y in box.corners():
-                        self.assertTrue(0 < x < size[0] and 0 < y < size[1], "%s %s on paper" % (what, box.text))
-
-        self.run_tool(DRAWING, plan, self.path("sheet.dxf"))
-        for name in filter(re.compile(r"sheet(_\d+)?\.dxf$").match, sorted(os.listdir(self.folder))):
-            boxes = boxes_of_dxf(self.path(name))
+        self.run_tool(DRAWING, plan, self.path("sheet" + ending), *options)
+        for name in filter(re.compile(r"sheet(_\d+)?\%s$" % ending).match, sorted(os.listdir(self.folder))):
+            what = "%s %s %s" % (plan, name, options)
+            paper, texts = (texts_of if ending == ".svg" else texts_of_dxf)(self.path(name))
             os.remove(self.path(name))
-            if boxes is not None:
-                self.assertGreater(len(boxes), 5, plan + " " + name)
-                self.assertEqual(collisions(boxes), [], plan + " " + name)
+            self.assertGreater(len(texts), least, what)
+            self.assertEqual(collisions(texts), [], what)
+            for text in texts if paper else ():
+                self.assertGreaterEqual(text.font, 1.7, "%s %s can be read" % (what, text.text))
+                self.assertTrue(paper.contains(text.box), "%s %s on paper" % (what, text.text))
+
+    def expect_free_texts(self, plan):
+        for scale in ("0", "50", "200"):
+            self.expect_free(plan, ".svg", 15, "--scale", scale, "--wall-numbers")
+        if ezdxf:
+            self.expect_free(plan, ".dxf", 5)
 
     def expect_free_cuts(self, plan):
         """On a section, elevations and a ceiling plan."""
-        for option, *value in (("--section", "rooms"), ("--elevations", "1"), ("--ceiling", "--storey", "1")):
-            self.run_tool(DRAWING, plan, self.path("cut.svg"), option, *value)
-            size, boxes = boxes_of(self.path("cut.svg"))
-            what = "%s %s" % (plan, option)
-            self.assertGreater(len(boxes), 10, what)
-            self.assertEqual(collisions(boxes), [], what)
-            for box in boxes:
-                for x, y in box.corners():
-                    self.assertTrue(0 < x < size[0] and 0 < y < size[1], "%s %s on paper" % (what, box.text))
+        for options in (("--section", "rooms"), ("--elevations", "1"), ("--ceiling", "--storey", "1")):
+            self.expect_free(plan, ".svg", 10, *options)
 
     def test_scenes(self):
         for scene in SCENES:
@@ -182,14 +159,13 @@ class DrawingTexts(unittest.TestCase):
             self.expect_free_texts(plan)
 
     def test_the_check_itself(self):
-        def box(x, y, text, turn=0):
-            return box_of(xml.etree.ElementTree.fromstring(
-                '<text x="%g" y="%g" font-size="2" transform="rotate(%g %g %g)">%s</text>'
-                % (x, y, turn, x, y, text)))
-        self.assertEqual(collisions([box(0, 0, "1.00"), box(3, 0.5, "2.00")]), [("2.00", "1.00")])
-        self.assertEqual(collisions([box(0, 0, "1.00"), box(0, 1.7, "2.00")]), [])
+        def text(x, y, words, turn=0):
+            return text_of(xml.etree.ElementTree.fromstring(
+                '<text x="%g" y="%g" font-size="2" transform="rotate(%g %g %g)">%s</text>' % (x, y, turn, x, y, words)))
+        self.assertEqual(collisions([text(0, 0, "1.00"), text(3, 0.5, "2.00")]), [("2.00", "1.00")])
+        self.assertEqual(collisions([text(0, 0, "1.00"), text(0, 1.7, "2.00")]), [])
         # Beside each other aslant, though the boxes around them meet.
-        self.assertEqual(collisions([box(0, 0, "1.00", 45), box(1.3, -1.3, "2.00", 45)]), [])
+        self.assertEqual(collisions([text(0, 0, "1.00", 45), text(1.3, -1.3, "2.00", 45)]), [])
 
 
 if __name__ == "__main__":

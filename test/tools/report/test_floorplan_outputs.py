@@ -17,11 +17,19 @@ import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
-import zlib
 from collections import Counter, defaultdict
 
+import numpy as np
+
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+from glb import Glb, volume_of
 from plan_samples import arc, rectangle, room, segment, slab
+
+try:
+    import ezdxf
+except ImportError:
+    ezdxf = None
+needs_ezdxf = unittest.skipUnless(ezdxf, "python3-ezdxf is not installed")
 
 EXTRUSION, DRAWING = sys.argv[1:3]
 SVG = "{http://www.w3.org/2000/svg}"
@@ -75,18 +83,6 @@ ELEMENTS = {
     "room_2_niche_1_top": 0.3,
     "room_2_niche_1_side_3": 1,
 }
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def minus(a, b):
-    return tuple(p - q for p, q in zip(a, b))
-
-
-def dot(a, b):
-    return sum(p * q for p, q in zip(a, b))
 
 
 def read_obj(path):
@@ -161,54 +157,12 @@ def area_of(polyline):
     return area
 
 
-def read_glb(path):
-    """JSON and bytes of a binary glTF."""
+def read_ppm(path):
+    """(red, green, blue) of all pixels."""
     with open(path, "rb") as file:
         content = file.read()
-    magic, version, size, json_size, kind = struct.unpack_from("<4s2II4s", content)
-    assert (magic, version, size, kind) == (b"glTF", 2, len(content), b"JSON")
-    after = 20 + json_size
-    binary_size, kind = struct.unpack_from("<I4s", content, after)
-    assert kind == b"BIN\0" and after + 8 + binary_size == len(content) and after % 4 == 0
-    return json.loads(content[20:after]), content[after + 8:]
-
-
-def read_png(path):
-    """Rows of (red, green, blue) of an 8-bit PNG with or without opacity."""
-    with open(path, "rb") as file:
-        content = file.read()
-    at, data = 8, b""
-    while at < len(content):
-        size, kind = struct.unpack_from(">I4s", content, at)
-        chunk = content[at + 8:at + 8 + size]
-        at += 12 + size
-        if kind == b"IHDR":
-            width, height, depth, colour, _, _, interlace = struct.unpack(">IIBBBBB", chunk)
-            assert depth == 8 and interlace == 0
-            step = {2: 3, 6: 4}[colour]
-        elif kind == b"IDAT":
-            data += chunk
-    data = zlib.decompress(data)
-    rows, before = [], bytearray(width * step)
-    for y in range(height):
-        start = y * (width * step + 1)
-        kind, row = data[start], bytearray(data[start + 1:start + 1 + width * step])
-        for i in range(len(row)):
-            a = row[i - step] if i >= step else 0
-            b, c = before[i], before[i - step] if i >= step else 0
-            if kind == 1:
-                row[i] = (row[i] + a) & 255
-            elif kind == 2:
-                row[i] = (row[i] + b) & 255
-            elif kind == 3:
-                row[i] = (row[i] + (a + b) // 2) & 255
-            elif kind == 4:
-                p = a + b - c
-                pa, pb, pc = abs(p - a), abs(p - b), abs(p - c)
-                row[i] = (row[i] + (a if pa <= pb and pa <= pc else b if pb <= pc else c)) & 255
-        rows.append([tuple(row[i:i + 3]) for i in range(0, len(row), step)])
-        before = row
-    return rows
+    size = re.match(rb"P6\s(\d+)\s(\d+)\s255\s", content)
+    return list(struct.iter_unpack("3B", content[size.end():]))
 
 
 class Outputs(unittest.TestCase):
@@ -226,6 +180,16 @@ class Outputs(unittest.TestCase):
         result = subprocess.run(arguments, capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
 
+    def dxf(self, plan, *options):
+        """The drawing of a plan, in which ezdxf finds no fault."""
+        with open(self.plan, "w") as file:
+            json.dump(plan, file)
+        self.run_tool(DRAWING, self.plan, self.path("plan.dxf"), *options)
+        drawing = ezdxf.readfile(self.path("plan.dxf"))
+        audit = drawing.audit()
+        self.assertEqual((audit.errors, audit.fixes), ([], []))
+        return drawing
+
     def expect_solid(self, vertices, groups, digits):
         """Areas, volumes, and that every edge has two triangles, one each way."""
         volume = defaultdict(float)
@@ -233,10 +197,10 @@ class Outputs(unittest.TestCase):
         for name, triangles in groups.items():
             area = 0
             for t in triangles:
-                a, b, c = (vertices[i] for i in t)
-                normal = cross(minus(b, a), minus(c, a))
-                area += math.sqrt(dot(normal, normal)) / 2
-                volume[name.split("_")[1]] += dot(a, normal) / 6
+                a, b, c = (np.array(vertices[i]) for i in t)
+                normal = np.cross(b - a, c - a)
+                area += np.linalg.norm(normal) / 2
+                volume[name.split("_")[1]] += a @ normal / 6
                 edges.update([(t[0], t[1]), (t[1], t[2]), (t[2], t[0])])
             if name in ELEMENTS:
                 self.assertAlmostEqual(area, ELEMENTS[name], digits, name)
@@ -276,54 +240,24 @@ class Outputs(unittest.TestCase):
 
     def test_glb(self):
         self.run_tool(EXTRUSION, self.plan, self.path("solid.glb"))
-        gltf, binary = read_glb(self.path("solid.glb"))
-        self.assertEqual(gltf["asset"]["version"], "2.0")
+        with open(self.path("solid.glb"), "rb") as file:
+            glb = Glb(file.read())
+        self.assertEqual(glb.json["asset"]["version"], "2.0")
+        nodes, (storey,) = glb.json["nodes"], glb.json["scenes"][0]["nodes"]
+        self.assertEqual([nodes[room]["name"] for room in nodes[storey]["children"]], ["room_1", "room_2"])
+        volumes = defaultdict(float)
+        for room, name, material, triangles in glb.parts():
+            volumes[room] += volume_of(triangles)
+            if name.endswith("_ceiling"):
+                self.assertEqual(material, "ceiling")
+                self.assertEqual(len({p[1] for t in triangles for p in t}), 1, "y is up")
+        self.assertAlmostEqual(volumes["room_1"], HALL_VOLUME, 3)
+        self.assertAlmostEqual(volumes["room_2"], CELL_VOLUME, 3)
 
-        def floats(accessor):
-            a = gltf["accessors"][accessor]
-            view = gltf["bufferViews"][a["bufferView"]]
-            if a["type"] == "SCALAR":
-                self.assertEqual(a["componentType"], 5125)
-                return struct.unpack_from("<%dI" % a["count"], binary, view["byteOffset"])
-            self.assertEqual((a["componentType"], a["type"]), (5126, "VEC3"))
-            self.assertEqual(view["byteLength"], 12 * a["count"])
-            rows = list(struct.iter_unpack("<3f", binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]))
-            if "min" in a:
-                self.assertEqual(a["min"], [min(r[k] for r in rows) for k in range(3)])
-                self.assertEqual(a["max"], [max(r[k] for r in rows) for k in range(3)])
-            return rows
-
-        nodes, (storey,) = gltf["nodes"], gltf["scenes"][0]["nodes"]
-        rooms = [nodes[r] for r in nodes[storey]["children"]]
-        self.assertEqual([r["name"] for r in rooms], ["room_1", "room_2"])
-        volumes = []
-        for room in rooms:
-            volume = 0
-            for part in (nodes[p] for p in room["children"]):
-                (primitive,) = gltf["meshes"][part["mesh"]]["primitives"]
-                places = floats(primitive["attributes"]["POSITION"])
-                corners = floats(primitive["indices"])
-                self.assertEqual(set(corners), set(range(len(places))))
-                material = gltf["materials"][primitive["material"]]["name"]
-                if part["name"].endswith("_ceiling"):
-                    self.assertEqual(material, "ceiling")
-                    self.assertEqual(len({p[1] for p in places}), 1, "y is up")
-                for a, b, c in zip(*[iter(places[k] for k in corners)] * 3):
-                    volume += dot(a, cross(b, c)) / 6
-            volumes.append(volume)
-        self.assertAlmostEqual(volumes[0], HALL_VOLUME, 3)
-        self.assertAlmostEqual(volumes[1], CELL_VOLUME, 3)
-
+    @needs_ezdxf
     def test_dxf(self):
-        try:
-            import ezdxf
-        except ImportError:
-            self.skipTest("python3-ezdxf is not installed")
-        self.run_tool(DRAWING, self.plan, self.path("plan.dxf"))
-        drawing = ezdxf.readfile(self.path("plan.dxf"))
+        drawing = self.dxf(sample_plan())
         self.assertEqual(drawing.dxfversion, "AC1027")
-        audit = drawing.audit()
-        self.assertEqual((audit.errors, audit.fixes), ([], []))
         kinds = Counter((e.dxftype(), e.dxf.layer) for e in drawing.modelspace()
                         if e.dxftype() != "TEXT")
         dimensions = kinds.pop(("DIMENSION", "A-ANNO-DIMS"))
@@ -370,25 +304,17 @@ class Outputs(unittest.TestCase):
         texts = [e.dxf.text for e in drawing.modelspace().query("TEXT")]
         exact = 24 + 2 * math.pi - math.pi * 0.16 - 0.25
         for text in ("Room 1", "Room 2", "%.2f m²" % exact, "15.00 m²", "h 3.00 m", "R 2.00",
-                     "2.60", "+0.30", "Ø 0.80", "0.50 x 0.50"):
+                     "2.60", "▼ +0.30", "Ø 0.80", "0.50 x 0.50"):
             self.assertIn(text, texts)
 
+    @needs_ezdxf
     def test_layout_and_hatches_in_dxf(self):
         """What is hatched is the wall between the rooms; the layout has the title block and the model to scale."""
-        try:
-            import ezdxf
-        except ImportError:
-            self.skipTest("python3-ezdxf is not installed")
         plan = sample_plan()
         plan["openings"] = [{"kind": "passage", "rooms": [2, 1], "walls": [{"room": 2, "element": 0}, {"room": 1, "element": 2}],
                              "start": [3, 4.05], "end": [4, 4.05], "bottom": 0, "top": 2, "depth": 0.1, "hinge": "unknown",
                              "state": "unknown"}]
-        with open(self.path("hatched.json"), "w") as file:
-            json.dump(plan, file)
-        self.run_tool(DRAWING, self.path("hatched.json"), self.path("hatched.dxf"), "--scale", "50", "--client", "Smith")
-        drawing = ezdxf.readfile(self.path("hatched.dxf"))
-        audit = drawing.audit()
-        self.assertEqual((audit.errors, audit.fixes), ([], []))
+        drawing = self.dxf(plan, "--scale", "50", "--client", "Smith")
 
         def area(path):
             corners = [v[:2] for v in path.vertices]
@@ -406,14 +332,10 @@ class Outputs(unittest.TestCase):
         self.assertAlmostEqual(view.dxf.height / view.dxf.view_height, 20, 6, "millimetres a metre at 1:50")
         self.assertAlmostEqual(view.dxf.view_center_point[0], 4, 0, "the middle of the plan")
 
+    @needs_ezdxf
     def test_openings_in_dxf(self):
         """Walls end at openings, which are blocks with attributes; texts are UTF-8."""
-        try:
-            import ezdxf
-        except ImportError:
-            self.skipTest("python3-ezdxf is not installed")
-        with open(self.plan) as file:
-            plan = json.load(file)
+        plan = sample_plan()
         plan["names"] = {"2": "Schlafzimmer ü €"}
         hall = plan["rooms"][0]["id"]
         plan["openings"] = [{"kind": "door", "rooms": [hall, 0], "walls": [{"room": hall, "element": 0}], "start": [2, -0.1],
@@ -422,12 +344,7 @@ class Outputs(unittest.TestCase):
                              "end": [3.5, -0.1], "bottom": 0.9, "top": 2, "depth": 0.2}]
         for opening in plan["openings"]:
             opening.update({"state": "unknown", "hinge": opening.get("hinge", "unknown")})
-        with open(self.path("doors.json"), "w") as file:
-            json.dump(plan, file)
-        self.run_tool(DRAWING, self.path("doors.json"), self.path("doors.dxf"))
-        drawing = ezdxf.readfile(self.path("doors.dxf"))
-        audit = drawing.audit()
-        self.assertEqual((audit.errors, audit.fixes), ([], []))
+        drawing = self.dxf(plan)
         on_wall = sorted((min(e.dxf.start.x, e.dxf.end.x), max(e.dxf.start.x, e.dxf.end.x))
                          for e in drawing.modelspace().query("LINE[layer=='A-WALL']") if e.dxf.start.y == e.dxf.end.y == 0)
         self.assertEqual(on_wall, [(0, 1), (2, 3.5), (5, 6)])
@@ -444,19 +361,12 @@ class Outputs(unittest.TestCase):
         self.assertEqual(len([e for e in blocks["D1"].virtual_entities() if e.dxftype() == "ARC"]), 1, "its swing")
         self.assertIn("2 Schlafzimmer ü €", [t.dxf.text for t in drawing.modelspace().query("TEXT")])
 
+    @needs_ezdxf
     def test_sections_and_elevations_in_dxf(self):
         """A cut through hall, cell and niche; the walls of the cell, a platform of 0.3 m along 7 m of them."""
-        try:
-            import ezdxf
-        except ImportError:
-            self.skipTest("python3-ezdxf is not installed")
         for options, area in ((("--section", "1.5,0,1.5,1"), 4 * HALL_HEIGHT + 3 * CELL_HEIGHT + 0.3 * 1),
                               (("--elevations", "2"), 16 * CELL_HEIGHT - 7 * 0.3)):
-            self.run_tool(DRAWING, self.plan, self.path("cut.dxf"), *options)
-            drawing = ezdxf.readfile(self.path("cut.dxf"))
-            audit = drawing.audit()
-            self.assertEqual((audit.errors, audit.fixes), ([], []))
-            found = sum(area_of(line) for line in drawing.modelspace().query("LWPOLYLINE"))
+            found = sum(area_of(line) for line in self.dxf(sample_plan(), *options).modelspace().query("LWPOLYLINE"))
             self.assertAlmostEqual(found, area, 6, options)
 
     def test_pdf(self):
@@ -488,16 +398,15 @@ class Outputs(unittest.TestCase):
         for text in ("Room 1", "Room 2", "15.00 m²", "h 3.00 m", "6.00", "R 2.00", "8.00", "7.10", "1:50 A3",
                      "2.60", "0.50 x 0.50", "\u00d8 0.80", "Floor plan"):
             self.assertIn(text, texts)
-        if shutil.which("rsvg-convert") is None:
-            self.skipTest("librsvg2-bin is not installed")
-        self.run_tool("rsvg-convert", "-w", "1800", self.path("plan.svg"), "-o", self.path("plan.png"))
-        rows = read_png(self.path("plan.png"))
-        self.assertEqual(len(rows[0]), 1800)
+        if not shutil.which("rsvg-convert") or not shutil.which("pdftoppm"):
+            self.skipTest("librsvg2-bin or poppler-utils is not installed")
+        self.run_tool("rsvg-convert", "-f", "pdf", self.path("plan.svg"), "-o", self.path("drawn.pdf"))
+        self.run_tool("pdftoppm", "-singlefile", "-scale-to-x", "1800", "-scale-to-y", "-1", self.path("drawn.pdf"), self.path("drawn"))
+        pixels = Counter(read_ppm(self.path("drawn.ppm")))
         square = (width / 1800 * 0.05) ** 2  # of a pixel, in square metres of the world
 
         def area(colour):
-            return square * sum(max(abs(p - q) for p, q in zip(pixel, colour)) < 3
-                                for row in rows for pixel in row)
+            return square * sum(n for pixel, n in pixels.items() if max(abs(p - q) for p, q in zip(pixel, colour)) < 3)
 
         # Lines and letters cover some of the floors and columns.
         floors = 24 + 2 * math.pi - math.pi * 0.16 - 0.25 + 15 + 0.3

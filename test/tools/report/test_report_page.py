@@ -25,6 +25,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(sys.path[0], "..", ".."))
 import chromium
+from glb import Glb, volume_of
 from plan_samples import rectangle, room, slab
 
 REPORT, EXTRUSION = sys.argv[1:3]
@@ -85,33 +86,6 @@ class Page:
         self.text = text
         self.data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.S).group(1))
         self.models = {name: base64.b64decode(model["glb"], validate=True) for name, model in self.data["models"].items()}
-
-
-def parts_of(glb):
-    """Elements of a binary glTF: name of the room above, material, triangles."""
-    size, = struct.unpack_from("<I", glb, 12)
-    gltf, binary = json.loads(glb[20:20 + size]), glb[28 + size:]
-
-    def numbers(accessor, kind, width):
-        a = gltf["accessors"][accessor]
-        start = gltf["bufferViews"][a["bufferView"]]["byteOffset"]
-        return struct.unpack_from("<%d%s" % (width * a["count"], kind), binary, start)
-
-    parts = []
-    for node in gltf["nodes"]:
-        for child in (gltf["nodes"][c] for c in node.get("children", [])):
-            if "mesh" in child:
-                primitive, = gltf["meshes"][child["mesh"]]["primitives"]
-                places = list(zip(*[iter(numbers(primitive["attributes"]["POSITION"], "f", 3))] * 3))
-                corners = [places[i] for i in numbers(primitive["indices"], "I", 1)]
-                parts.append({"room": node["name"], "label": gltf["materials"][primitive["material"]]["name"] if "material" in primitive else "",
-                              "triangles": list(zip(*[iter(corners)] * 3))})
-    return parts
-
-
-def volume_of(triangles):
-    return sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
-               + a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in triangles) / 6
 
 
 @functools.lru_cache(maxsize=None)
@@ -180,11 +154,11 @@ class ReportPage(ReportCase):
         # 12 m2 less the column, 2.5 m high, less the soffit; and the second room. Faces look out of the rooms.
         volume = 11.75 * 2.5 - 3 * 0.3 + 15
         for name, glb in models.items():
-            parts = parts_of(glb)
+            parts = list(Glb(glb).parts())
             way = 1 if name == "solid" else -1  # the sample's mesh.ply is a solid, whose faces look out already
-            self.assertAlmostEqual(way * sum(map(volume_of, (p["triangles"] for p in parts))), volume, 3, name)
-            self.assertEqual({p["room"] for p in parts}, {"room_1", "room_2"})
-            self.assertEqual({p["label"] for p in parts}, {"ceiling", "floor", "wall", "detail", "column"})
+            self.assertAlmostEqual(way * sum(volume_of(triangles) for *_, triangles in parts), volume, 3, name)
+            self.assertEqual({room for room, *_ in parts}, {"room_1", "room_2"})
+            self.assertEqual({material for _, _, material, _ in parts}, {"ceiling", "floor", "wall", "detail", "column"})
 
     def test_points_lie_where_the_scan_does(self):
         """One a voxel, those of the second wall's foot on the box's faces, and as far from the mesh as they are."""
@@ -221,7 +195,7 @@ class ReportPage(ReportCase):
             file.writelines(struct.pack("<3f", *v) for v in vertices)
             file.writelines(struct.pack("<B3i", 3, *f) for f in faces)
         page = self.page("--max-triangles", "20000")
-        corners = [c for p in parts_of(page.models["mesh"]) for t in p["triangles"] for c in t]
+        corners = [c for *_, triangles in Glb(page.models["mesh"]).parts() for t in triangles for c in t]
         self.assertTrue(5000 < len(corners) / 3 <= 20000, len(corners) / 3)
         self.assertEqual(page.data["models"]["mesh"]["triangles"], 12 * n * n)
         self.assertTrue(all(any(abs(c[k]) < 1e-6 or abs(abs(c[k]) - 3) < 1e-6 for k in range(3)) for c in corners))
@@ -289,6 +263,17 @@ class BrowserCase(ReportCase):
           return row && Object.fromEntries(rows[0].map((head, k) => [head, row[k]]));
         }})()""")
 
+    def expect_row(self, browser, section, first, cells):
+        row = self.row(browser, section, first)
+        self.assertEqual({head: row[head] for head in cells}, cells)
+
+    def shown(self, options=WITHOUT_MODEL, plan=None, **changes):
+        """The page of the sample with changes of its report, and with another plan."""
+        self.write("report.json", {**sample_report(), **changes})
+        self.write("floorplan.json", plan or sample_plan())
+        self.make(*options)
+        return self.open()
+
     def words(self, browser, selector="body"):
         return " ".join(browser.run(f"document.querySelector('{selector}').innerText").split())
 
@@ -313,14 +298,12 @@ class ReportInABrowser(BrowserCase):
 
     def test_rooms_and_stages_are_told_with_units(self):
         browser = self.open()
-        told = self.row(browser, "rooms", "1")
-        self.assertEqual([told[head] for head in ("area, m²", "perimeter, m", "volume, m³", "wall surface, m²", "walls measured",
-                                                  "mesh", "solid")],
-                         ["11.75", "14.00", "28.50", "34.10", "38\u00a0%", "open", "closed"])
+        self.expect_row(browser, "rooms", "1", {
+            "area, m²": "11.75", "perimeter, m": "14.00", "volume, m³": "28.50", "wall surface, m²": "34.10",
+            "walls measured": "38\u00a0%", "mesh": "open", "solid": "closed"})
         self.assertEqual(self.row(browser, "rooms", "2")["walls measured"], "96\u00a0%")
-        stage = self.row(browser, "stages", "ParallelVoxelGrid")
-        self.assertEqual([stage[head] for head in ("points in", "points out", "seconds")],
-                         ["1\u202f234\u202f567", "4\u202f800", "0.25"])
+        self.expect_row(browser, "stages", "ParallelVoxelGrid",
+                        {"points in": "1\u202f234\u202f567", "points out": "4\u202f800", "seconds": "0.25"})
         self.assertEqual(self.row(browser, "stages", "together")["seconds"], "1.75")
         self.assertEqual(self.row(browser, "parameters", "plane_tolerance")["value"], "0.07")
         self.assertEqual(self.row(browser, "files", "model.glb")["what it is"], "sharp model for the web, glTF 2.0")
@@ -459,28 +442,21 @@ class ReportInABrowser(BrowserCase):
 class OtherReportsInABrowser(BrowserCase):
     def test_storeys_and_what_was_left_out(self):
         """The sample, and the same rooms 2.8 m higher as rooms 3 and 4."""
-        plan, report = sample_plan(), sample_report()
+        plan, rooms = sample_plan(), sample_report()["rooms"]
         for low in sample_plan()["rooms"]:
             plan["rooms"].append({**low, "id": low["id"] + 2, "floor": slab(2.8), "ceiling": slab(5.3), "details": []})
         plan["storeys"] = [{"number": 1, "name": "ground floor", "rooms": [1, 2]}, {"number": 2, "name": "<attic>", "rooms": [3, 4]}]
         plan["openings"] = [{"kind": "door", "number": 7, "rooms": [1, 2], "walls": [], "start": [4.1, 1], "end": [4.1, 1.9], "bottom": 0, "top": 2,
                              "hinge": "unknown", "state": "unknown"}]
-        report["rooms"] += [{**room, "id": room["id"] + 2} for room in report["rooms"]]
-        report["coverage"] = {"seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
+        coverage = {"seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
             {"reason": "room 3: <no> plan", "area": 48.4, "floor": -0.5, "ceiling": 2.5, "at": [10, -2.25], "counts": True}]}
-        self.write("floorplan.json", plan)
-        self.write("report.json", report)
-        self.make("--scan", self.scan, *WITHOUT_MODEL)
-        browser = self.open()
-        attic = self.row(browser, "storeys", "<attic>")
-        self.assertEqual((attic["area, m²"], attic["height, m"]), ("17.75", "2.43 to 2.50"))
+        browser = self.shown(plan=plan, coverage=coverage, rooms=rooms + [{**room, "id": room["id"] + 2} for room in rooms])
+        self.expect_row(browser, "storeys", "<attic>", {"area, m²": "17.75", "height, m": "2.43 to 2.50"})
         self.assertEqual(browser.run("document.querySelectorAll('.plans img').length"), 2)
         self.assertEqual(browser.run("[...document.querySelectorAll('#rooms h3')].map(h => h.textContent)"),
                          ["ground floor", "<attic>"])
-        door = self.row(browser, "openings", "D7")
-        self.assertEqual((door["between"], door["width, m"], door["height, m"]), ("room 1 and room 2", "0.90", "2.00"))
-        gap = self.row(browser, "coverage", "room 3: <no> plan")
-        self.assertEqual((gap["area, m²"], gap["z, m"], gap["counts"]), ("48.4", "-0.5 to 2.5", "yes"))
+        self.expect_row(browser, "openings", "D7", {"between": "room 1 and room 2", "width, m": "0.90", "height, m": "2.00"})
+        self.expect_row(browser, "coverage", "room 3: <no> plan", {"area, m²": "48.4", "z, m": "-0.5 to 2.5", "counts": "yes"})
         self.assertIn("12.1 m² of 60.5 m² of floor that was seen are in the plan, 20 %", self.words(browser, "#coverage"))
 
     def test_openings_tell_their_walls_and_their_place(self):
@@ -488,47 +464,33 @@ class OtherReportsInABrowser(BrowserCase):
                 "start": [4.1, 1], "end": [4.1, 2], "bottom": 0, "top": 2, "depth": 0.2, "hinge": "unknown", "state": "closed",
                 "confidence": 0.9, "residual": 0.01}
         without_edges = {**door, "number": 8, "start": [4.1, 2.2], "end": [4.1, 2.9]}
-        self.write("floorplan.json", {**sample_plan(), "openings": [door, without_edges]})
+        plan = {**sample_plan(), "openings": [door, without_edges]}
         told = [{"number": "D8", "width_is": "", "width_error": 0.0}, {"number": "D7", "width_is": "between rims", "width_error": 0.0213}]
-        self.write("report.json", {**sample_report(), "openings": told})
-        self.make(*WITHOUT_MODEL)
-        browser = self.open()
-        row = self.row(browser, "openings", "D7")
-        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
-        self.assertEqual((row["width is"], row["its standard error, cm"]), ("between rims", "2.1"))
-        row = self.row(browser, "openings", "D8")
-        self.assertEqual((row["width is"], row["its standard error, cm"]), ("", ""))
-        self.write("report.json", sample_report())  # as it was written before
-        self.make(*WITHOUT_MODEL)
-        row = self.row(self.open(), "openings", "D7")
-        self.assertEqual((row["width is"], row["its standard error, cm"]), ("", ""))
+        browser = self.shown(plan=plan, openings=told)
+        self.expect_row(browser, "openings", "D7", {"walls": "1.2, 2.4", "at x, y, m": "4.1, 1.5", "width is": "between rims",
+                                                    "its standard error, cm": "2.1"})
+        self.expect_row(browser, "openings", "D8", {"width is": "", "its standard error, cm": ""})
+        # As it was written before:
+        self.expect_row(self.shown(plan=plan), "openings", "D7", {"width is": "", "its standard error, cm": ""})
 
     def test_schedules_have_units(self):
         rooms = {"columns": ["room", "area_m2", "area_above_2.0m_m2", "walls_measured_percent"], "rows": [["1", "11.750", "9.000", "38"]]}
-        self.write("report.json", {**sample_report(), "schedules": {"rooms": rooms, "walls": {"columns": ["number"], "rows": []}}})
-        self.make(*WITHOUT_MODEL)
-        browser = self.open()
-        row = self.row(browser, "schedules", "1")
-        self.assertEqual((row["area, m²"], row["area above 2.0m, m²"], row["walls measured, %"]), ("11.750", "9.000", "38"))
+        browser = self.shown(schedules={"rooms": rooms, "walls": {"columns": ["number"], "rows": []}})
+        self.expect_row(browser, "schedules", "1", {"area, m²": "11.750", "area above 2.0m, m²": "9.000", "walls measured, %": "38"})
         self.assertNotIn("walls: ", self.words(browser, "#schedules"))
 
     def test_the_accuracy_of_nine_tenths_of_what_was_measured_is_stated(self):
         walls = {"measured": {"LOA50": 4, "LOA40": 5, "LOA20": 1, "not measured": 2}, "represented": {"LOA30": 8, "LOA10": 2, "not measured": 2}}
-        self.write("report.json", {**sample_report(), "accuracy": {"walls": walls}})
-        self.make(*WITHOUT_MODEL)
-        browser = self.open()
+        browser = self.shown(accuracy={"walls": walls})
         self.assertIn("75 % of the walls are measured to LOA40 or better. 83 % of the walls are represented to LOA10 or better.",
                       self.words(browser, "#accuracy"))
         self.assertIn("of the walls measured to LOA40 or better 75 %", self.words(browser, "#figures"))
-        row = self.row(browser, "accuracy", "walls")
-        self.assertEqual((row["LOA50"], row["LOA40"], row["LOA30"], row["LOA20"], row["not measured"]), ("4", "5", "", "1", "2"))
+        self.expect_row(browser, "accuracy", "walls", {"LOA50": "4", "LOA40": "5", "LOA30": "", "LOA20": "1", "not measured": "2"})
 
     def test_walls_show_what_was_seen_of_them(self):
         wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
                 "openings": [{"kind": "door", "from": 2, "to": 3, "bottom": 0, "top": 1}]}
-        self.write("report.json", {**sample_report(), "walls": [wall]})
-        self.make(*WITHOUT_MODEL)
-        browser = self.open()
+        browser = self.shown(walls=[wall])
         self.assertIn("room 1: 2 of 4 walls, 1 opening", self.words(browser, "#walls"))
         browser.run("new Promise(done => { const box = document.querySelector('#walls details');"
                     " box.addEventListener('toggle', () => setTimeout(done, 0)); box.open = true; })")
@@ -539,18 +501,13 @@ class OtherReportsInABrowser(BrowserCase):
         self.assertEqual(browser.run(pixel.format(1, 4)), [150, 184, 225, 255], "hidden")
 
     def test_a_malformed_section_leaves_the_others(self):
-        self.write("report.json", {**sample_report(), "coverage": 7})
-        self.make()
         with self.assertRaisesRegex(AssertionError, "console"):
-            self.open()
+            self.shown((), coverage=7)
         self.assertIn("11.75", self.words(self.browser, "#rooms"))
 
     def test_numbers_of_warnings_lie_beside_texts_and_each_other(self):
-        report = sample_report()
-        report["doubts"] = [{"text": "thin", "room": 1, "at": [1 + k % 5 * 0.4, 1 + k // 5 * 0.4]} for k in range(20)]
-        self.write("report.json", report)
-        self.make(*WITHOUT_MODEL)
-        meeting = self.open().run("""(() => {
+        doubts = [{"text": "thin", "room": 1, "at": [1 + k % 5 * 0.4, 1 + k // 5 * 0.4]} for k in range(20)]
+        meeting = self.shown(doubts=doubts).run("""(() => {
           const image = document.querySelector('.plans img'), sheet = image.getBoundingClientRect(), holder = document.createElement('div');
           holder.innerHTML = decodeURIComponent(image.src.split(',').slice(1).join(','));
           Object.assign(holder.style, { position: 'absolute', left: sheet.x + scrollX + 'px', top: sheet.y + scrollY + 'px' });
@@ -565,27 +522,18 @@ class OtherReportsInABrowser(BrowserCase):
         self.assertEqual(meeting, [10, True, 0, 0], "ten are shown, the rest is folded")
 
     def test_nothing_amiss_is_told_too(self):
-        report = sample_report()
-        report["doubts"] = []
-        self.write("report.json", report)
-        self.make("--scan", self.scan, *WITHOUT_MODEL)
-        self.assertIn("Nothing is doubted", self.words(self.open(), "#check"))
+        self.assertIn("Nothing is doubted", self.words(self.shown(doubts=[]), "#check"))
 
     def test_a_room_without_a_mesh_counts_as_neither_closed_nor_open(self):
-        report = sample_report()
-        report["rooms"][0]["mesh"] = None
-        self.write("report.json", report)
-        self.make("--scan", self.scan, *WITHOUT_MODEL)
-        self.assertIn("closed meshes1 of 1", self.open().run("document.getElementById('figures').textContent"))
+        first, *rest = sample_report()["rooms"]
+        browser = self.shown(rooms=[{**first, "mesh": None}, *rest])
+        self.assertIn("closed meshes1 of 1", browser.run("document.getElementById('figures').textContent"))
 
     def test_figures_of_another_plan_are_left_out_and_the_page_says_so(self):
-        report = sample_report()
-        report["rooms"][0]["area"] += 1
-        self.write("report.json", report)
-        self.make(*WITHOUT_MODEL)
-        browser = self.open()
+        first, *rest = sample_report()["rooms"]
+        browser = self.shown(rooms=[{**first, "area": 12.75}, *rest])
         self.assertIn("is not the plan that report.json tells of", self.words(browser, "#check"))
-        self.assertNotIn(str(report["rooms"][0]["area"]), self.words(browser, "#rooms"))
+        self.assertNotIn("12.75", self.words(browser, "#rooms"))
 
     def test_without_report_scan_and_models_the_plan_is_shown(self):
         for name in ("solid.ply", "mesh.ply", "report.json", "model.glb"):

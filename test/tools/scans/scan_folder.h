@@ -75,7 +75,7 @@ protected:
     catch (const pcl::sedr::tools::ToolError& error) {
       const std::string sentence = error.what();
       EXPECT_EQ(error.exitCode(), pcl::sedr::tools::BadUse);
-      EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+      EXPECT_FALSE(says(sentence, "\n"));
       EXPECT_LT(sentence.size(), 600u) << sentence;
       return sentence;
     }
@@ -92,8 +92,7 @@ protected:
     for (const Refusal& row : table) {
       const std::string sentence = refusal(row.bytes);
       EXPECT_NE(sentence, "") << "read, though: " << row.part;
-      EXPECT_NE(sentence.find(row.part), std::string::npos)
-          << row.part << "\nis not in: " << sentence;
+      EXPECT_TRUE(says(sentence, row.part)) << row.part << "\nis not in: ";
     }
   }
 };

@@ -47,9 +47,8 @@ TEST_F(ClassifiedScan, OfLasHasAllPointsInTheirOrderAndPlacesWithClassAndExtraBy
   const RoomScan scan = scanOf();
   const LasSample las = inGrid(scan);
   writeFile(in("scan.las"), las.bytes());
-  const ProgramRun result = run(SEDR, {in("scan.las"), in("model")},
-                                {"--no-mesh", "--classified", in("out.las")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(run(SEDR, {in("scan.las"), in("model")},
+           {"--no-mesh", "--classified", in("out.las")}));
   const std::string bytes = bytesOf(in("out.las"));
   const auto begin = at<std::uint32_t>(bytes, 96);
   const auto record = at<std::uint16_t>(bytes, 105);
@@ -222,9 +221,8 @@ TEST_F(ClassifiedScan, OfLasFilesOfSeveralLayoutsLosesWhatTheyDoNotShare)
   saveTagged(
       in("out.las"), JointScan({in("a.las"), in("b.las")}, {}),
       [](const Eigen::Vector3f&) { return PointTag{}; }, 0);
-  EXPECT_NE(
-      testing::internal::GetCapturedStderr().find("have another layout than those of"),
-      std::string::npos);
+  EXPECT_TRUE(says(testing::internal::GetCapturedStderr(),
+                   "have another layout than those of"));
   const ToolCloud cloud = loadCloud(in("out.las"));
   ASSERT_EQ(cloud.size(), 10000u);
   EXPECT_NEAR((*cloud.points)[9999].y, 9.998, 1e-4);
@@ -233,10 +231,7 @@ TEST_F(ClassifiedScan, OfLasFilesOfSeveralLayoutsLosesWhatTheyDoNotShare)
 TEST_F(ClassifiedScan, OfPcdHasTheFieldsOfTheScanAndThree)
 {
   const RoomScan scan = scanOf();
-  writeFile(in("input.pcd"), scan.pcd(true));
-  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")},
-                                {"--no-mesh", "--classified", in("out.pcd")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(onFile(scan.pcd(true), {"--no-mesh", "--classified", in("out.pcd")}));
   const ToolCloud cloud = loadCloud(in("out.pcd"));
   ASSERT_EQ(cloud.size(), scan.points.size());
   const std::vector<float> numbers = floatField(cloud.blob, "intensity");
@@ -274,10 +269,7 @@ TEST_F(ClassifiedScan, TellsSoffitsAndColumnsFromCeilingsAndWalls)
       from[across] = to[across] = at;
       scan.addPiece(from, to, Label::Column, 1);
     }
-  writeFile(in("input.pcd"), scan.pcd(false));
-  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")},
-                                {"--no-mesh", "--classified", in("out.pcd")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(onFile(scan.pcd(false), {"--no-mesh", "--classified", in("out.pcd")}));
   const ToolCloud cloud = loadCloud(in("out.pcd"));
   ASSERT_EQ(cloud.size(), scan.points.size());
   for (const Label label : {Label::Detail, Label::Column}) {
@@ -303,11 +295,9 @@ TEST_F(ClassifiedScan, OfSeveralFilesHasThemOneBehindTheOther)
   second.points.front().x = NAN;
   writeFile(in("a.pcd"), first.pcd(false));
   writeFile(in("b.pcd"), second.pcd(false));
-  const ProgramRun result = run(SEDR, {in("a.pcd"), in("b.pcd"), in("model")},
-                                {"--no-mesh", "--classified", in("out.las")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.err.find("1 points without coordinates"), std::string::npos)
-      << result.err;
+  const ProgramRun result = done(run(SEDR, {in("a.pcd"), in("b.pcd"), in("model")},
+                                     {"--no-mesh", "--classified", in("out.las")}));
+  EXPECT_TRUE(says(result.err, "1 points without coordinates"));
   const std::string bytes = bytesOf(in("out.las"));
   EXPECT_EQ(bytes[104], 6) << "no colours";
   ASSERT_EQ(at<std::uint64_t>(bytes, 247), half + second.points.size() - 1);
@@ -331,14 +321,12 @@ TEST_F(ClassifiedScan, OfLasRefusesRoomsAndPlacesBeyondItsIntegers)
     }
   };
   EXPECT_EQ(refusal(65535), "");
-  EXPECT_NE(refusal(65536).find("room 65536 has no number of 16 bits"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal(65536), "room 65536 has no number of 16 bits"));
   scan.points.front().x = 0;
   scan.points.back().x = -250000; // in steps of 0.1 mm
-  EXPECT_NE(refusal(1).find("in steps of 0.0001 reaches 214748 units of the scan from "
-                            "x = 0, but a point is at -250000"),
-            std::string::npos)
-      << refusal(1);
+  EXPECT_TRUE(says(refusal(1),
+                   "in steps of 0.0001 reaches 214748 units of the scan from "
+                   "x = 0, but a point is at -250000"));
 }
 
 TEST_F(ClassifiedScan, DoesNotReplaceTheScan)

@@ -56,8 +56,7 @@ using ScanColours = SedrTool;
 TEST_F(ScanColours, AreOnMeshPointsAndElementsAndMarkedWhereNothingWasSeen)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
-  const ProgramRun result = run(SEDR, {in("input.pcd"), in("model")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  done(run(SEDR, {in("input.pcd"), in("model")}));
   const ToolCloud points = loadCloud(in("model/structure.pcd"));
   const ToolCloud mesh = loadCloud(in("model/mesh.ply"));
   for (const ToolCloud* cloud : {&points, &mesh}) {
@@ -90,31 +89,28 @@ TEST_F(ScanColours, AreOnMeshPointsAndElementsAndMarkedWhereNothingWasSeen)
   const std::string glb = bytesOf(in("model/model.glb"));
   std::ostringstream red; // of the floor, linear
   red << std::pow((200 / 255.0 + 0.055) / 1.055, 2.4);
-  EXPECT_NE(
-      glb.find("\"name\":\"floor\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" +
-               red.str().substr(0, 6)),
-      std::string::npos);
-  EXPECT_NE(glb.find("\"extras\":{\"seen\":true}"), std::string::npos);
+  EXPECT_TRUE(
+      says(glb, "\"name\":\"floor\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" +
+                    red.str().substr(0, 6)));
+  EXPECT_TRUE(says(glb, "\"extras\":{\"seen\":true}"));
 }
 
 TEST_F(ScanColours, OfLabelsAreWrittenIfAskedFor)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
-  ASSERT_EQ(run(SEDR, {in("input.pcd"), in("model")}, {"--colours", "label"}).exit_code,
-            0);
-  EXPECT_EQ(bytesOf(in("model/mesh.ply")).find("seen"), std::string::npos);
-  EXPECT_EQ(bytesOf(in("model/structure.pcd")).find("rgb"), std::string::npos);
-  EXPECT_EQ(bytesOf(in("model/model.glb")).find("seen"), std::string::npos);
+  done(run(SEDR, {in("input.pcd"), in("model")}, {"--colours", "label"}));
+  EXPECT_FALSE(says(bytesOf(in("model/mesh.ply")), "seen"));
+  EXPECT_FALSE(says(bytesOf(in("model/structure.pcd")), "rgb"));
+  EXPECT_FALSE(says(bytesOf(in("model/model.glb")), "seen"));
 }
 
 TEST_F(ScanColours, StayOnTheSolidOfAnEditedModel)
 {
   writeFile(in("input.pcd"), paintedPcd(denseScan()));
-  ASSERT_EQ(run(SEDR, {in("input.pcd"), in("model")}, {"--no-mesh"}).exit_code, 0);
+  done(run(SEDR, {in("input.pcd"), in("model")}, {"--no-mesh"}));
   const std::string glb = bytesOf(in("model/model.glb"));
-  ASSERT_EQ(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}).exit_code, 0);
-  EXPECT_NE(bytesOf(in("model/model.glb")).find("\"extras\":{\"seen\":true}"),
-            std::string::npos);
+  done(run(FLOORPLAN_EDIT, {in("model"), "--name", "1=Hall"}));
+  EXPECT_TRUE(says(bytesOf(in("model/model.glb")), "\"extras\":{\"seen\":true}"));
 }
 
 /** One point at a distance along each axis, both ways, about a place. */

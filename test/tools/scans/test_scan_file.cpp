@@ -139,7 +139,7 @@ TEST_F(ScanFiles, OfAMeshItIsSaidOnceThatItsVerticesAreThePoints)
   for (int time = 0; time < 2; ++time)
     scan.forEachPiece([](const RowSource::Piece&) { return true; });
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("is a mesh of 1 face: only its 3 vertices"), std::string::npos);
+  EXPECT_TRUE(says(said, "is a mesh of 1 face: only its 3 vertices"));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
 }
 
@@ -152,7 +152,7 @@ TEST_F(ScanFiles, ASinglePointThatIsFiniteIsFound)
   grid.filter(ScanFile(write(pcdBytes(points))), thinned);
   EXPECT_EQ(thinned.width, 1u);
   points[100777] = {nan, 2, 3};
-  EXPECT_NE(refusal(pcdBytes(points)).find("no finite point"), std::string::npos);
+  EXPECT_TRUE(says(refusal(pcdBytes(points)), "no finite point"));
 }
 
 // Clouds with all their fields, in memory and in the files that are written.
@@ -169,7 +169,7 @@ TEST_F(CloudFiles, EveryFieldSurvives)
   saveBlob(in("a.pcd"), blob);
   saveCompressed(in("b.pcd"), blob);
   saveBlob(in("c.PLY"), blob);
-  EXPECT_NE(bytesOf(in("b.pcd")).find("DATA binary_compressed"), std::string::npos);
+  EXPECT_TRUE(says(bytesOf(in("b.pcd")), "DATA binary_compressed"));
   for (const char* name : {"a.pcd", "b.pcd", "c.PLY"}) {
     const ToolCloud cloud = loadCloud(in(name));
     ASSERT_EQ(cloud.blob.fields.size(), blob.fields.size()) << name;

@@ -69,7 +69,7 @@ TEST_F(ScanOrigins, LargeCoordinatesOfAnyFormatLoseNothing)
     }
     ScanSettings as_given;
     as_given.shifts = false;
-    EXPECT_NE(refusal(bytes, as_given).find("too large"), std::string::npos);
+    EXPECT_TRUE(says(refusal(bytes, as_given), "too large"));
   }
   const ScanFile seen(write(pcd + far_points));
   EXPECT_EQ(seen.origin().toGiven(seen.viewpoint().head<3>().cast<double>()),
@@ -82,7 +82,7 @@ TEST_F(ScanOrigins, FloatsTooLargeAreRefusedButStrayPointsAreNot)
   EXPECT_EQ(refusal(pcdBytes({{1, 1, 1}, {1, 2, 1}, {4.5e6F, 3, 1}})), "");
   const std::string sentence =
       refusal(pcdBytes({{412345.5F, 5650100, 90}, {412346.5F, 5650101, 91}}));
-  EXPECT_NE(sentence.find("(412000, 5650000, 0)"), std::string::npos) << sentence;
+  EXPECT_TRUE(says(sentence, "(412000, 5650000, 0)"));
 }
 
 TEST_F(ScanOrigins, OriginsOfModelsAreReadOrTheFileIsRefused)
@@ -289,15 +289,14 @@ TEST_F(JointScans, OfAFolderAreItsScansByName)
   write("1 2 3\n", "positions.txt");
   testing::internal::CaptureStderr();
   EXPECT_EQ(scanFilesOf({folder_.path().string()}), all);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("positions.txt"),
-            std::string::npos);
+  EXPECT_TRUE(says(testing::internal::GetCapturedStderr(), "positions.txt"));
   write("1 2 3\n", "solid.ply");
   write(R"({"format": "sedr-report", "files": ["report.json", "solid.ply", "../b"]})",
         "report.json");
   testing::internal::CaptureStderr();
   EXPECT_EQ(scanFilesOf({folder_.path().string()}), all) << "without results";
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("2 files that its report.json"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(testing::internal::GetCapturedStderr(), "2 files that its report.json"));
   std::filesystem::create_directory(in("empty"));
   EXPECT_THROW(scanFilesOf({in("empty")}), ToolError);
   const std::string text = write("1 2 3\n", "empty/scan.csv");

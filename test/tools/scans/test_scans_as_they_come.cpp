@@ -54,11 +54,10 @@ protected:
 TEST_F(ScansAsTheyCome, E57OfPosesInAGridGivesThePlanAndEveryOutputItsOrigin)
 {
   writeFile(in("scan.e57"), asE57(scanOf(), grid));
-  const ProgramRun made = model(in("scan.e57"), "of_e57");
-  ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.err.find("counted from (6916"), std::string::npos) << made.err;
+  const ProgramRun made = done(model(in("scan.e57"), "of_e57"));
+  EXPECT_TRUE(says(made.err, "counted from (6916"));
   expectRoom("of_e57");
-  EXPECT_EQ(made.err.find("positions"), std::string::npos) << made.err;
+  EXPECT_FALSE(says(made.err, "positions"));
   EXPECT_EQ(nlohmann::json::parse(bytesOf(in("of_e57/report.json")))
                 .at("positions")
                 .at("known"),
@@ -68,8 +67,7 @@ TEST_F(ScansAsTheyCome, E57OfPosesInAGridGivesThePlanAndEveryOutputItsOrigin)
   EXPECT_EQ(origin, originOfModel(in("of_e57/report.json")));
   for (const char* name :
        {"structure.pcd", "solid.ply", "solid.obj", "floorplan.svg", "floorplan.dxf"})
-    EXPECT_NE(bytesOf(in("of_e57/") + name).find(origin.comment()), std::string::npos)
-        << name;
+    EXPECT_TRUE(says(bytesOf(in("of_e57/") + name), origin.comment())) << name;
   for (const char* name : {"structure.pcd", "solid.ply", "solid.obj"})
     EXPECT_EQ(originOfModel(in("of_e57/") + name), origin) << name;
   EXPECT_EQ(loadCloud(in("of_e57/structure.pcd")).origin, origin);
@@ -81,53 +79,48 @@ TEST_F(ScansAsTheyCome, E57OfPosesInAGridGivesThePlanAndEveryOutputItsOrigin)
 TEST_F(ScansAsTheyCome, PosesThatAreNotWhereTheScannerStoodDoNoHarm)
 {
   writeFile(in("swapped.e57"), asE57(scanOf(), grid, {{{-20, 0, 1}, {9, -20, 1.5}}}));
-  ASSERT_EQ(model(in("swapped.e57"), "of_swapped").exit_code, 0);
+  done(model(in("swapped.e57"), "of_swapped"));
   expectRoom("of_swapped");
 }
 
 TEST_F(ScansAsTheyCome, LasGivesThePlanAlsoByTheStandardInput)
 {
   writeFile(in("scan.las"), asLas(scanOf(), grid));
-  ASSERT_EQ(model(in("scan.las"), "of_las").exit_code, 0);
+  done(model(in("scan.las"), "of_las"));
   expectRoom("of_las");
   const std::string command = "cat " + programs::quoted(in("scan.las")) + " | " +
                               programs::quoted(PARALLEL_VOXEL_GRID) + " - " +
                               programs::quoted(in("piped.pcd")) + " 2>/dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  ASSERT_EQ(run(PARALLEL_VOXEL_GRID, {in("scan.las"), in("thinned.pcd")}).exit_code, 0);
+  done(run(PARALLEL_VOXEL_GRID, {in("scan.las"), in("thinned.pcd")}));
   EXPECT_EQ(bytesOf(in("piped.pcd")), bytesOf(in("thinned.pcd")));
 }
 
 TEST_F(ScansAsTheyCome, TwoScansOfASiteAreComparedInOneFrame)
 {
   writeFile(in("site.las"), asLas(scanOf(), grid));
-  ASSERT_EQ(model(in("site.las"), "one").exit_code, 0);
-  ASSERT_EQ(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code,
-            0);
-  ASSERT_EQ(model(in("site.las"), "three", {"--origin", in("two")}).exit_code, 0);
+  done(model(in("site.las"), "one"));
+  done(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}));
+  done(model(in("site.las"), "three", {"--origin", in("two")}));
   EXPECT_EQ(originOfModel(in("two/floorplan.json")), (Origin{{691590.5, 5335990, 0}}));
   EXPECT_EQ(originOfModel(in("three/floorplan.json")),
             originOfModel(in("two/floorplan.json")));
-  const ProgramRun compared = run(STRUCTURE_COMPARE, {in("one"), in("two")});
-  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  const ProgramRun compared = done(run(STRUCTURE_COMPARE, {in("one"), in("two")}));
   EXPECT_EQ(compared.out, "nothing has changed\n");
 }
 
 TEST_F(ScansAsTheyCome, PositionsTellWhatWindowsMirror)
 {
-  ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {"big_windows", in("glass"), "--rays", "8000"})
-                .exit_code,
-            0);
+  done(run(SIMULATE_INDOOR_SCAN, {"big_windows", in("glass"), "--rays", "8000"}));
   const std::string scan = in("glass/scan.pcd");
   const auto positionsOf = [&](const std::string& folder) {
     return nlohmann::json::parse(bytesOf(in(folder) + "/report.json")).at("positions");
   };
-  ASSERT_EQ(model(scan, "unknown").exit_code, 0);
+  done(model(scan, "unknown"));
   EXPECT_TRUE(positionsOf("unknown").is_null());
   const ProgramRun made =
-      model(scan, "known", {"--positions", in("glass/positions.txt")});
-  ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_NE(made.err.find(" mirror"), std::string::npos) << made.err;
+      done(model(scan, "known", {"--positions", in("glass/positions.txt")}));
+  EXPECT_TRUE(says(made.err, " mirror"));
   EXPECT_EQ(positionsOf("known").at("known"), 40);
   EXPECT_GE(positionsOf("known").at("mirrors"), 1);
   EXPECT_GT(positionsOf("known").at("mirrored_points"), 1000);
@@ -179,18 +172,15 @@ TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
 {
   writeFile(in("scan.e57"), asE57(scanOf(), grid));
   writeFile(in("scan.las"), asLas(scanOf(), grid));
-  const ProgramRun listed = run(SCAN_TO_PCD, {in("scan.e57"), "--list"});
-  EXPECT_EQ(listed.exit_code, 0);
-  EXPECT_NE(listed.out.find("station"), std::string::npos) << listed.out;
-  EXPECT_NE(listed.out.find(Origin{grid + Eigen::Vector3d(2.5, 1.5, 1.4)}.text(", ")),
-            std::string::npos)
-      << listed.out;
+  const ProgramRun listed = done(run(SCAN_TO_PCD, {in("scan.e57"), "--list"}));
+  EXPECT_TRUE(says(listed.out, "station"));
+  EXPECT_TRUE(
+      says(listed.out, Origin{grid + Eigen::Vector3d(2.5, 1.5, 1.4)}.text(", ")));
   const ProgramRun both =
       run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--list", "--scan", "9"});
   EXPECT_EQ(both.exit_code, 1);
-  EXPECT_NE(both.err.find("it takes no --scan"), std::string::npos) << both.err;
-  ASSERT_EQ(run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
-            0);
+  EXPECT_TRUE(says(both.err, "it takes no --scan"));
+  done(run(SCAN_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}));
   const ToolCloud one = loadCloud(in("one.pcd"));
   const RoomScan scan = scanOf();
   ASSERT_EQ(one.size(), scan.points.size() / 2);
@@ -199,7 +189,7 @@ TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
     const Eigen::Vector3f p = (*one.points)[i].getVector3fMap();
     EXPECT_LT((one.origin.toGiven(p.cast<double>()) - grid - place).norm(), 3e-6);
   }
-  ASSERT_EQ(run(SCAN_TO_PCD, {in("scan.las"), in("all.ply")}).exit_code, 0);
+  done(run(SCAN_TO_PCD, {in("scan.las"), in("all.ply")}));
   EXPECT_EQ(loadCloud(in("all.ply")).blob.data, loadCloud(in("scan.las")).blob.data);
   EXPECT_EQ(run(SCAN_TO_PCD, {in("scan.e57")}).exit_code, 1);
   const ProgramRun broken = run(SCAN_TO_PCD, {in("scan.e57") + "x", in("no.pcd")});
@@ -232,9 +222,7 @@ TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
     catch (const std::exception& error) {
       reason = error.what();
     }
-    EXPECT_NE(reason.find("could not be read to its end: it has become shorter"),
-              std::string::npos)
-        << reason;
+    EXPECT_TRUE(says(reason, "could not be read to its end: it has become shorter"));
   }
 }
 

@@ -87,8 +87,7 @@ protected:
     std::filesystem::remove(picture);
     arguments.insert(arguments.begin(),
                      {input, "--screenshot", picture, "--size", "600x400"});
-    const ProgramRun result = run(SEDR_VIEWER, arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const ProgramRun result = done(run(SEDR_VIEWER, arguments));
     EXPECT_EQ(result.err, "") << "quiet when piped";
     const Image image = imageOf(bytesOf(picture));
     EXPECT_EQ(image.width, 600);

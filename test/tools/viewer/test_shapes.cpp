@@ -222,12 +222,12 @@ TEST_F(ViewedSample, OfAScanWithAStrayPointTheRoomFillsTheView)
   points.push_back({20, 2, 1}); // seen through a window
   points.push_back({1e6F, 3e38F, -1e6F});
   const auto path = folder_.path() / "stray.pcd";
-  SampleResult::write(path, pcdBytes(points, std::vector<std::uint32_t>(2002, 3)));
+  writeFile(path, pcdBytes(points, std::vector<std::uint32_t>(2002, 3)));
   const DisplayCloud shown = readResult(path.string(), {}).clouds.at("structure");
   EXPECT_EQ(shown.whole_size, 2002u);
   EXPECT_EQ(shown.size(), 2001u);
   EXPECT_EQ(shown.labels.size(), 2001u);
-  SampleResult::write(path, pcdBytes(points));
+  writeFile(path, pcdBytes(points));
   EXPECT_NEAR(readResult(path.string(), {}).bounds().max().x(), 20, 1e-6);
 }
 
