@@ -15,22 +15,25 @@ import json
 import random
 import re
 
-from shapely.geometry import Point, Polygon
+import numpy as np
+from scipy.spatial import cKDTree
+from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
 import opening_grades
 from buildings import oddities
 from buildings import runs
+from proving import meshes
 
 KINDS = {"first": oddities.FIRST, "later": oddities.LATER, "newest": oddities.NEWEST, "latest": oddities.LATEST}
 MOST_OFF = 0.02     # share of a surface more than 5 cm from the other
 RAYS = 900_000      # of all stations
 BESIDE = 0.3        # metres from a room, where a doubt is still of it
 TOLD = 0.5          # share of what is wrong, of its area or its length
-SLIVER = 0.03       # metres, of plans that differ
-AREAS = ("left_out", "hidden", "no_opening", "ceiling_apart", "ceiling_unseen", "part_unseen", "ceiling_off", "floor_off", "floor_unseen",
-         "wall_off", "standing", "hanging", "contradiction", "raised_floor")  # square metres of them are a doubt's first value
-LENGTHS = ("open", "guessed_wall", "in_line")                                 # metres
+FINE, TILE = 0.03, 0.1  # metres: spacing of samples of meshes, and tiles of what is wrong
+LEVEL = ("left_out", "ceiling_apart", "ceiling_unseen", "part_unseen", "ceiling_off", "floor_off", "floor_unseen", "hanging", "raised_floor")
+AREAS = LEVEL + ("hidden", "no_opening", "wall_off", "standing", "contradiction")  # square metres of them are a doubt's first value
+LENGTHS = ("open", "guessed_wall", "in_line")                                      # metres
 WHOLE = ("coverage", "no_plan", "filled_in", "crossing", "small_room", "narrow_room", "height", "unit", "up", "noise", "one_room", "two_rooms")
 DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_unseen", "part_unseen", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
           "standing", "hanging", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up",
@@ -58,17 +61,18 @@ def polygons(path):
 
 
 def wrong_place(folder):
-    """Where the plan differs from the truth; all of the true rooms if it does so in height only."""
-    true, found = (unary_union(polygons(folder / name)) for name in ("truth.json", "out/floorplan.json"))
-    place = true.symmetric_difference(found).buffer(-SLIVER).buffer(SLIVER)
-    return place if place.area > 0.1 else true.union(found)
+    """Where in plan solid and truth are more than 5 cm from each other: squares of a tile."""
+    points = [meshes.samples(meshes.read_mesh(path), FINE) for path in (folder / "truth.ply", folder / "out" / "solid.ply")]
+    off = [a[cKDTree(b).query(a, distance_upper_bound=0.05 + FINE)[0] > 0.05 + FINE / 2] for a, b in (points, points[::-1])]
+    tiles = {tuple(t) for t in np.floor(np.concatenate(off)[:, :2] / TILE).astype(int)}
+    return unary_union([box(TILE * x, TILE * y, TILE * (x + 1), TILE * (y + 1)) for x, y in tiles])
 
 
 def length_of(place):
     """The longer side of the smallest rectangle around the largest part of a place."""
     parts = list(getattr(place, "geoms", [place]))
-    box = max(parts, key=lambda part: part.area).minimum_rotated_rectangle.exterior.coords
-    return max(Point(box[0]).distance(Point(box[1])), Point(box[1]).distance(Point(box[2])))
+    a, b, c = (Point(p) for p in max(parts, key=lambda part: part.area).minimum_rotated_rectangle.exterior.coords[:3])
+    return max(a.distance(b), b.distance(c))
 
 
 def lost_openings(folder):
@@ -83,7 +87,7 @@ def told_by(folder, report, wrong):
     """Kinds of warnings that tell of what is wrong: `wrong` square metres at wrong_place(), or openings that were lost."""
     place = wrong_place(folder)
     rooms = {room["id"]: room["height"] for room in report["rooms"]}
-    sums, kinds = {"area": 0, "length": 0}, set()
+    sums, kinds = {"area": 0, "level": 0, "length": 0}, set()
     for told in report["warnings"]:
         kind, value = told["kind"], (told["values"] or [0])[0]
         if kind in WHOLE:
@@ -95,9 +99,11 @@ def told_by(folder, report, wrong):
         if wrong > 0 and (at is None or place.distance(at) < BESIDE):
             height = rooms.get(told["room"], 2.5)
             sums["area"] += value * (height if kind in LENGTHS else 1)
+            sums["level"] += value if kind in LEVEL else 0
             sums["length"] += value / (1 if kind in LENGTHS else height)
             kinds.add(kind)
-    kinds -= set() if sums["area"] >= TOLD * wrong or sums["length"] >= TOLD * length_of(place) else set(AREAS + LENGTHS)
+    if sums["area"] < TOLD * wrong and sums["level"] < TOLD * place.area and sums["length"] < TOLD * length_of(place):
+        kinds -= set(AREAS + LENGTHS)
     for doubt in report["doubts"]:
         sure = re.search(r", (\d+) % sure", doubt["text"])
         if sure and int(sure[1]) < 50 and doubt["at"] and wrong > 0 and place.distance(Point(doubt["at"])) < BESIDE:
