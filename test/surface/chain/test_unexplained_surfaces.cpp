@@ -100,10 +100,23 @@ TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
     const auto found = unexplained(cloud, plan);
     ASSERT_EQ(found.size(), 1u) << cells;
     EXPECT_EQ(found[0].wall, 4u) << "it is a cupboard up to the ceiling";
-    EXPECT_NEAR(found[0].values[0], 3 * 0.1, 0.02) << "a strip behind it, " << cells;
-    EXPECT_LT(found[0].values[1], 0);
+    ASSERT_EQ(found[0].values.size(), 3u) << cells;
+    EXPECT_NEAR(found[0].values[0], 3 * 2.5, 0.55) << "up to the floor, " << cells;
+    EXPECT_NEAR(found[0].values[1], -30, 5) << cells;
+    EXPECT_NEAR(found[0].values[2], 3, 0.25) << cells;
     for (int twice = 0; twice < 2; ++twice)
       cloud += Cloud(cloud);
+  }
+}
+
+TEST(UnexplainedSurfaces, AreNoCeilingsThatAWallInterrupts)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const bool has_wall : {false, true}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({0, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud);
+    addRectangle({-0.5F, 0, 2.5F}, {has_wall ? 0.4F : 0.5F, 0, 0}, {0, 3, 0}, cloud);
+    EXPECT_EQ(unexplained(cloud, plan).empty(), has_wall);
   }
 }
 
