@@ -380,7 +380,8 @@ WallMap::findOffsets(const PlanElement& line)
          ++k)
       near.insert(near.end(), at_ceiling[k].begin(), at_ceiling[k].end());
     const double way = wayBehind(std::move(near));
-    ceiling_behind_[c] = way > edge ? static_cast<float>(way) : 0;
+    ceiling_behind_[c] =
+        way > std::max(Priors().min_wall, noise) ? static_cast<float>(way) : 0;
   }
 }
 
