@@ -56,7 +56,7 @@ appendGaps(const PointView& points,
 
 /** @brief Adds to the ceiling of each room the points of no ceiling or floor on which
  * it goes on from cell to cell: a wall interrupts it for its thickness, what ends below
- * it does not. Less wide than three cells, they may be the tops of walls. O(points). */
+ * it does not. What is less wide than three cells may be the tops of walls. O(points). */
 void
 addCeilingsBeyond(const PointView& points,
                   const CellGrid& grid,
@@ -118,9 +118,18 @@ addCeilingsBeyond(const PointView& points,
         for (std::int32_t x = -1; x < 4; ++x)
           wide.insert(keyOf({low.x + x, low.y + y}));
     }
+    std::vector<CellKey> kept;
     for (const auto& [key, on] : beyond)
       if (wide.count(key) > 0)
+        kept.push_back(key);
+    const CellSet cells = CellSet::fromSorted(std::move(kept));
+    const CellRegions regions = labelRegions(cells);
+    const double least = priors.min_slab_area / (grid.size() * grid.size()); // cells
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (static_cast<double>(regions.sizes[regions.label[k]]) >= least) {
+        const std::vector<int>& on = beyond[keyOf(cells[k])];
         room.ceiling.insert(room.ceiling.end(), on.begin(), on.end());
+      }
   }
 }
 
