@@ -54,9 +54,19 @@ appendGaps(const PointView& points,
                     static_cast<float>(floor)});
 }
 
+template <typename Visitor>
+void
+forAllBeside(Cell cell, Visitor visit)
+{
+  for (const Cell beside : {Cell{cell.x - 1, cell.y}, Cell{cell.x + 1, cell.y},
+                            Cell{cell.x, cell.y - 1}, Cell{cell.x, cell.y + 1}})
+    visit(beside);
+}
+
 /** @brief Adds to the ceiling of each room the points of no ceiling or floor on which
- * it goes on from cell to cell: a wall interrupts it for its thickness, what ends below
- * it does not. What is less wide than three cells may be the tops of walls. O(points). */
+ * it goes on from cell to cell, over more than a door's width and by a square metre: a
+ * wall interrupts it for its thickness, what ends below it does not. What is less wide
+ * than three cells may be the tops of walls. O(points). */
 void
 addCeilingsBeyond(const PointView& points,
                   const CellGrid& grid,
@@ -87,24 +97,22 @@ addCeilingsBeyond(const PointView& points,
     while (!next.empty()) {
       const auto [key, z] = next.back();
       next.pop_back();
-      const Cell cell = cellOf(key);
-      for (const Cell beside : {Cell{cell.x - 1, cell.y}, Cell{cell.x + 1, cell.y},
-                                Cell{cell.x, cell.y - 1}, Cell{cell.x, cell.y + 1}}) {
+      forAllBeside(cellOf(key), [&, z = z](Cell beside) {
         const auto found = others.find(keyOf(beside));
         if (found == others.end() || heights.count(found->first) > 0)
-          continue;
+          return;
         std::vector<int> on;
         for (const int i : found->second)
           if (std::abs(points[static_cast<std::size_t>(i)].z() - z) <
               priors.min_ceiling_step)
             on.push_back(i);
         if (on.empty())
-          continue;
+          return;
         const float height = points[static_cast<std::size_t>(on.front())].z();
         heights.emplace(found->first, height);
         next.emplace_back(found->first, height);
         beyond.emplace(found->first, std::move(on));
-      }
+      });
     }
     const auto isBeyond = [&](Cell cell) { return beyond.count(keyOf(cell)) > 0; };
     std::set<CellKey> wide;
@@ -124,12 +132,22 @@ addCeilingsBeyond(const PointView& points,
         kept.push_back(key);
     const CellSet cells = CellSet::fromSorted(std::move(kept));
     const CellRegions regions = labelRegions(cells);
-    const double least = priors.min_slab_area / (grid.size() * grid.size()); // cells
+    std::vector<double> passed(regions.sizes.size(), 0); // metres of ceiling beside
     for (std::size_t k = 0; k < cells.size(); ++k)
-      if (static_cast<double>(regions.sizes[regions.label[k]]) >= least) {
-        const std::vector<int>& on = beyond[keyOf(cells[k])];
-        room.ceiling.insert(room.ceiling.end(), on.begin(), on.end());
-      }
+      forAllBeside(cells[k], [&](Cell beside) {
+        if (heights.count(keyOf(beside)) > 0 && !isBeyond(beside))
+          passed[regions.label[k]] += grid.size();
+      });
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const std::size_t region = regions.label[k];
+      if (passed[region] < priors.max_door_width || // as through a gap
+          static_cast<double>(regions.sizes[region]) * grid.size() * grid.size() <
+              priors.min_slab_area)
+        continue;
+      const std::vector<int>& on = beyond[keyOf(cells[k])];
+      room.ceiling.insert(room.ceiling.end(), on.begin(), on.end());
+      others.erase(keyOf(cells[k]));
+    }
   }
 }
 
