@@ -40,8 +40,10 @@ featuresOf(const Floorplan& plan,
   const double room_behind = o.rooms[1] != 0 ? 1.0 : 0.0;
   const double wide = std::clamp(o.width() - opening_numbers.narrow_door, 0.0, 1.5);
   const double raised = std::clamp(sill / opening_numbers.raised, 0.0, 1.0);
-  const bool is_hole =
+  const bool is_hole = // one looks through
       o.walls.size() > 1 &&
+      std::max({found.closed, found.solid, found.filled, found.back.closed}) <=
+          Priors::share_little &&
       std::all_of(o.edges.begin(), o.edges.end(), [](const OpeningEdge& edge) {
         return edge.seen == EdgeSeen::Reveal;
       });
