@@ -116,6 +116,11 @@ private:
   /** @brief Warns of what was seen off all surfaces and meets the ceiling. */
   void tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
+  /** @brief Warns of what stands free, is a metre long, ends below the ceiling, and has
+   * the floor beside it on both sides, no farther away than a wall is thick: square
+   * metres of its faces, and how high it is. */
+  void tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
   /** @brief Warns of lower parts of a ceiling, clear of the walls, of which no side up
    * to the rest was seen, if compared with the wall that was seen best. */
   void tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const;
