@@ -287,10 +287,24 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   constexpr double thickest = 0.3; // metres, with a tile
   constexpr std::uint64_t top = 3; // steps
   const RoomLookup& lookup = rooms_[room];
+  const auto seenBetween = [&](CellKey key, const OffModel& off) {
+    const double height = off.ceiling - lookup.floorAt(tiles_.centre(cellOf(key)));
+    std::pair<int, int> seen_of{0, 0}; // steps
+    for (double z = low + wall_tile / 2; z < high; z += wall_tile) {
+      seen_of.first += (off.once & stepAt(height - z, wall_tile)) != 0 ? 1 : 0;
+      ++seen_of.second;
+    }
+    return seen_of;
+  };
+  const auto isBare = [&](const Eigen::Vector2d& p) {
+    const CellKey key = keyOf(tiles_.at(p.x(), p.y()));
+    const auto off = off_[room].find(key);
+    return isOnSlab(room, keyOf(grid_.at(p.x(), p.y())), true) &&
+           (off == off_[room].end() || seenBetween(key, off->second).first == 0);
+  };
   const auto hasFloor = [&](const Eigen::Vector2d& at, const Eigen::Vector2d& way) {
     for (double d = wall_tile; d < thickest + wall_tile / 2; d += wall_tile)
-      if (const Eigen::Vector2d p = at + d * way;
-          isOnSlab(room, keyOf(grid_.at(p.x(), p.y())), true))
+      if (isBare(at + d * way))
         return true;
     return false;
   };
@@ -306,11 +320,8 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   for (const auto& [key, off] : off_[room]) {
     const Eigen::Vector2d at = tiles_.centre(cellOf(key));
     const double height = off.ceiling - lookup.floorAt(at);
-    std::uint64_t between = 0;
-    for (double z = low + wall_tile / 2; z < high; z += wall_tile)
-      between |= stepAt(height - z, wall_tile);
-    const int missing = __builtin_popcountll(between & ~off.once);
-    if (between != 0 && missing <= 1 && (off.once & top) == 0 && isThin(at))
+    const auto [seen, all] = seenBetween(key, off);
+    if (seen > 0 && seen >= all - 1 && (off.once & top) == 0 && isThin(at))
       heights.emplace_back(key, height - wall_tile * __builtin_ctzll(off.once));
   }
   const CellSet cells = cellsOf(heights);
