@@ -304,8 +304,8 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   };
   const auto hasFloor = [&](const Eigen::Vector2d& at, const Eigen::Vector2d& way) {
     for (double d = wall_tile; d < thickest + wall_tile / 2; d += wall_tile)
-      if (isBare(at + d * way))
-        return true;
+      if (isBare(at + d * way) && isBare(at + (d + wall_tile) * way))
+        return true; // more than the recess below a counter
     return false;
   };
   const auto isThin = [&](const Eigen::Vector2d& at) {
