@@ -70,7 +70,7 @@ featuresOf(const Floorplan& plan,
           found.solid * found.back.closed *
               std::clamp(o.depth - found.back.depth - 2 * sizes.leaf_strip, 0.0, 0.2),
           wide * (1 - room_behind),
-          is_hole ? 1.0 : 0.0};
+          is_hole ? raised : 0.0};
 }
 
 /** @brief Sets what a candidate most likely is, and how much likelier than nothing.
