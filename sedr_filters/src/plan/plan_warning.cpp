@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pcl::sedr {
 
@@ -208,6 +209,14 @@ claimOf(const PlanWarning& warning)
   PlanWarning shown = warning;
   if (is_opposite)
     shown.values.back() *= -1;
+  if (warning.kind == WarningKind::WallOff && warning.values.size() > 2) {
+    words = "the ceiling goes on {1.0} cm behind it over {2.1} m, as above what stands "
+            "before a wall: {0.1} m2 of it may be no wall";
+    shown.values[1] = std::abs(shown.values[1]);
+  }
+  if (warning.kind == WarningKind::Standing && warning.values.size() > 1)
+    words = "{0.1} m2 of what stands free in it{at}, as thin as a wall and up to {1.1} "
+            "m high, are not in the plan: it may be a half wall";
   if (warning.kind == WarningKind::Crossing && !warning.values.empty() &&
       warning.values[0] == warning.room)
     words = "its solid meets itself";

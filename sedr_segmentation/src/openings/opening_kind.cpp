@@ -14,15 +14,15 @@ namespace {
  * niche over a door. Fitted by logistic regression, see doc/opening_detection.md. */
 const std::array<OpeningFeatures, 4> kind_weights{
     {// one raised sill room narrow wide_in tall low_lintel filled around leaf closed
-     // low back beyond deep low_head split lower upper solid wide_out
-     {3.5, 1.4, 1.9,  -1.4, 10.4, 3.3, 0.0, 7.5, -0.8, -7.1, -1.1,
-      2.3, 6.3, -0.1, 1.8,  4.8,  3.9, 3.1, 0.5, 0.1,  9.3,  2.8},
-     {-1.7, 3.3,  4.2,  -6.6, 7.3,  2.4,  0.1, 6.7, 1.1,  1.0,  -2.4,
-      -1.6, -2.5, -1.5, -9.8, -0.2, -0.4, 4.7, 0.5, -3.1, -2.7, 3.2},
-     {-4.4, -0.4, -0.6, -1.5, 7.1,  5.2,  3.7,  -1.4, -2.9, 0.2,  -3.3,
-      -1.6, -0.4, 1.5,  -1.1, -1.3, -1.0, -0.9, -1.0, -0.2, -2.0, 2.5},
-     {-3.8, 1.4, 2.0, -3.0, 4.9,  2.2, -1.6, -4.4, 1.3,  -1.2, -1.0,
-      1.2,  2.2, 1.7, 5.6,  14.4, 5.9, 2.9,  1.6,  -3.2, 24.3, 1.2}}};
+     // low back beyond deep low_head split lower upper solid wide_out hole
+     {3.5, 1.4,  1.9, -1.4, 10.4, 3.3, 0.0, 7.5, -0.8, -7.1, -1.1, 2.3,
+      6.3, -0.1, 1.8, 4.8,  3.9,  3.1, 0.5, 0.1, 9.3,  2.8,  -2.0},
+     {-1.7, 3.3,  4.2,  -6.6, 7.3,  2.4, 0.1, 6.7,  1.1,  1.0, -2.4, -1.6,
+      -2.5, -1.5, -9.8, -0.2, -0.4, 4.7, 0.5, -3.1, -2.7, 3.2, 0.0},
+     {-4.4, -0.4, -0.6, -1.5, 7.1,  5.2,  3.7,  -1.4, -2.9, 0.2, -3.3, -1.6,
+      -0.4, 1.5,  -1.1, -1.3, -1.0, -0.9, -1.0, -0.2, -2.0, 2.5, 0.0},
+     {-3.8, 1.4, 2.0, -3.0, 4.9, 2.2, -1.6, -4.4, 1.3,  -1.2, -1.0, 1.2,
+      2.2,  1.7, 5.6, 14.4, 5.9, 2.9, 1.6,  -3.2, 24.3, 1.2,  0.0}}};
 
 OpeningFeatures
 featuresOf(const Floorplan& plan,
@@ -40,6 +40,13 @@ featuresOf(const Floorplan& plan,
   const double room_behind = o.rooms[1] != 0 ? 1.0 : 0.0;
   const double wide = std::clamp(o.width() - opening_numbers.narrow_door, 0.0, 1.5);
   const double raised = std::clamp(sill / opening_numbers.raised, 0.0, 1.0);
+  const bool is_hole = // one looks through
+      o.walls.size() > 1 &&
+      std::max({found.closed, found.solid, found.filled, found.back.closed}) <=
+          Priors::share_little &&
+      std::all_of(o.edges.begin(), o.edges.end(), [](const OpeningEdge& edge) {
+        return edge.seen == EdgeSeen::Reveal;
+      });
   return {1,
           raised,
           std::clamp(sill, 0.0, 1.2),
@@ -62,7 +69,8 @@ featuresOf(const Floorplan& plan,
           found.part == 2 ? 1.0 : 0.0,
           found.solid * found.back.closed *
               std::clamp(o.depth - found.back.depth - 2 * sizes.leaf_strip, 0.0, 0.2),
-          wide * (1 - room_behind)};
+          wide * (1 - room_behind),
+          is_hole ? raised : 0.0};
 }
 
 /** @brief Sets what a candidate most likely is, and how much likelier than nothing.

@@ -31,8 +31,9 @@ struct OpeningParameters {
  * share of its height below which it has a back and above none; 1 if it is the lower,
  * or the upper part of such a one; how much thicker than a leaf is what parts its back
  * from a face behind it that was seen; how much wider than usual doors it is with no
- * room behind it. */
-using OpeningFeatures = std::array<double, 22>;
+ * room behind it; that raise if its wall has two faces, nothing closes it and all edges
+ * show reveals. */
+using OpeningFeatures = std::array<double, 23>;
 
 /** @brief What closes a rectangle of a wall behind its face. */
 struct OpeningBack {

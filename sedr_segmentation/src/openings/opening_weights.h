@@ -87,7 +87,8 @@ struct OpeningNumbers {
   double slab_band = 0.04;     ///< of points of floor and ceiling, metres
   double on_face = 0.05;       ///< of boards on a wall and of a reveal, metres
   double on_model = 0.05;      ///< of points on a wall of the plan, metres
-  double off_edge = 0.02;      ///< of a ceiling that goes on behind a wall, metres
+  double off_edge = 0.02;      ///< of a ceiling before a wall, metres
+  double ceiling_before = 0.3; ///< that shows how dense its points are, metres
   double min_points = 50;      ///< that show the noise of a face
   double cell_points = 3;      ///< in the middle one of the cells that were seen
   double least_share = 0.15;   ///< of the usual points of a cell in one that was seen

@@ -92,11 +92,12 @@ public:
     return farthest_[column * rows_ + row];
   }
 
-  /** @brief Returns likewise what is nearest behind the surface at the height of the
-   * ceiling. */
+  /** @brief Returns how far the ceiling goes on behind the surface, metres: a wall
+   * interrupts it for its thickness, what stands before one does not. */
   float ceilingBehind(std::size_t column) const { return ceiling_behind_[column]; }
 
-  /** @brief Returns likewise what is nearest before the surface there. */
+  /** @brief Returns how far before the surface lies what is nearest to it at the height
+   * of the ceiling, metres. */
   float ceilingBefore(std::size_t column) const { return ceiling_before_[column]; }
 
   /** @brief Returns up to which distance from floor and ceiling points are theirs,
@@ -130,6 +131,7 @@ private:
              const std::vector<SightLine>& rays,
              const std::vector<SidePoint>& of_leaves);
   void findOffsets(const PlanElement& line);
+  double wayBehind(std::vector<float> offsets) const;
   void follow(const WallSide& side,
               const SightLine& ray,
               std::vector<std::uint32_t>& through,

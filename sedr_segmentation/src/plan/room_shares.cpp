@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -50,6 +52,103 @@ appendGaps(const PointView& points,
   for (const auto& [cell, high] : top)
     gaps.push_back({cellOf(cell), room, static_cast<float>(floor), high,
                     static_cast<float>(floor)});
+}
+
+template <typename Visitor>
+void
+forAllBeside(Cell cell, Visitor visit)
+{
+  for (const Cell beside : {Cell{cell.x - 1, cell.y}, Cell{cell.x + 1, cell.y},
+                            Cell{cell.x, cell.y - 1}, Cell{cell.x, cell.y + 1}})
+    visit(beside);
+}
+
+/** @brief Adds to the ceiling of each room the points of no ceiling or floor on which
+ * it goes on from cell to cell, over more than a door's width and by a square metre: a
+ * wall interrupts it for its thickness, what ends below it does not. What is less wide
+ * than three cells may be the tops of walls. O(points). */
+void
+addCeilingsBeyond(const PointView& points,
+                  const CellGrid& grid,
+                  const PlanEvidence& evidence,
+                  const Priors& priors,
+                  std::vector<RoomEvidence>& rooms)
+{
+  std::vector<std::uint8_t> is_slab(points.size(), 0);
+  for (const auto* list : {&evidence.ceiling, &evidence.details, &evidence.floor})
+    for (const int i : *list)
+      is_slab[static_cast<std::size_t>(i)] = 1;
+  std::map<CellKey, std::vector<int>> others;
+  for (const int i : evidence.all)
+    if (const auto at = static_cast<std::size_t>(i);
+        !is_slab[at] && points.isFinite(at) &&
+        grid.holds(points[at].x(), points[at].y()))
+      others[keyOf(grid.at(points[at].x(), points[at].y()))].push_back(i);
+  for (RoomEvidence& room : rooms) {
+    std::map<CellKey, float> heights;
+    for (const auto* list : {&room.ceiling, &room.details})
+      for (const int i : *list) {
+        const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+        const auto cell = heights.emplace(keyOf(grid.at(p.x(), p.y())), p.z()).first;
+        cell->second = std::max(cell->second, p.z());
+      }
+    std::vector<std::pair<CellKey, float>> next(heights.begin(), heights.end());
+    std::map<CellKey, std::vector<int>> beyond;
+    while (!next.empty()) {
+      const auto [key, z] = next.back();
+      next.pop_back();
+      forAllBeside(cellOf(key), [&, z = z](Cell beside) {
+        const auto found = others.find(keyOf(beside));
+        if (found == others.end() || heights.count(found->first) > 0)
+          return;
+        std::vector<int> on;
+        for (const int i : found->second)
+          if (std::abs(points[static_cast<std::size_t>(i)].z() - z) <
+              priors.min_ceiling_step)
+            on.push_back(i);
+        if (on.empty())
+          return;
+        const float height = points[static_cast<std::size_t>(on.front())].z();
+        heights.emplace(found->first, height);
+        next.emplace_back(found->first, height);
+        beyond.emplace(found->first, std::move(on));
+      });
+    }
+    const auto isBeyond = [&](Cell cell) { return beyond.count(keyOf(cell)) > 0; };
+    std::set<CellKey> wide;
+    for (const auto& [key, on] : beyond) {
+      const Cell low = cellOf(key);
+      bool is_wide = true;
+      for (std::int32_t y = 0; y < 3; ++y)
+        for (std::int32_t x = 0; x < 3; ++x)
+          is_wide = is_wide && isBeyond({low.x + x, low.y + y});
+      for (std::int32_t y = -1; is_wide && y < 4; ++y)
+        for (std::int32_t x = -1; x < 4; ++x)
+          wide.insert(keyOf({low.x + x, low.y + y}));
+    }
+    std::vector<CellKey> kept;
+    for (const auto& [key, on] : beyond)
+      if (wide.count(key) > 0)
+        kept.push_back(key);
+    const CellSet cells = CellSet::fromSorted(std::move(kept));
+    const CellRegions regions = labelRegions(cells);
+    std::vector<double> passed(regions.sizes.size(), 0); // metres of ceiling beside
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      forAllBeside(cells[k], [&](Cell beside) {
+        if (heights.count(keyOf(beside)) > 0 && !isBeyond(beside))
+          passed[regions.label[k]] += grid.size();
+      });
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const std::size_t region = regions.label[k];
+      if (passed[region] < priors.max_door_width || // as through a gap
+          static_cast<double>(regions.sizes[region]) * grid.size() * grid.size() <
+              priors.min_slab_area)
+        continue;
+      const std::vector<int>& on = beyond[keyOf(cells[k])];
+      room.ceiling.insert(room.ceiling.end(), on.begin(), on.end());
+      others.erase(keyOf(cells[k]));
+    }
+  }
 }
 
 } // namespace
@@ -128,6 +227,7 @@ roomEvidence(const PointView& points,
   share(evidence.ceiling, &RoomEvidence::ceiling, labelled);
   share(evidence.details, &RoomEvidence::details, labelled);
   share(evidence.floor, &RoomEvidence::floor, labelled);
+  addCeilingsBeyond(points, grid, evidence, parameters.priors, rooms);
   for (std::size_t r = 0; r < rooms.size(); ++r) {
     std::vector<int> both = rooms[r].ceiling;
     both.insert(both.end(), rooms[r].details.begin(), rooms[r].details.end());

@@ -74,7 +74,8 @@ namespace {
 struct OffWall {
   const WallSide* side;
   Patches found;
-  double area; ///< square metres; where a ceiling passes the wall, up to the floor
+  double area;       ///< square metres; where a ceiling passes it, up to the floor
+  double passed = 0; ///< metres over which a ceiling passes it
 };
 
 /** @brief What the map of a side shows off the plan's surface. */
@@ -120,17 +121,17 @@ public:
     return {&side_, found, found.area};
   }
 
-  /** @brief Returns the columns behind which the ceiling goes on, half a metre of them
-   * or more: no wall can be there. */
+  /** @brief Returns the columns behind which the ceiling goes on into no room, half a
+   * metre of them or more: no wall can be there. */
   OffWall passedUnder() const
   {
-    std::vector<CellValue> offsets;
+    std::vector<CellValue> ways;
     for (std::size_t c = 0; c < map_.columns(); ++c)
-      if (const double off = map_.ceilingBehind(c); off > -wall_tile)
-        add(c, 0, side_.ceiling, off, offsets);
-    Patches found(offsets, map_.cell(), min_strip * map_.cell());
-    found.area *= wall_tile / map_.cell(); // a strip of the same depth on all maps
-    return {&side_, found, found.area / wall_tile * (side_.ceiling - side_.floor)};
+      if (const double way = map_.ceilingBehind(c); way > 0)
+        add(c, 0, side_.ceiling - off_wall, -way, ways);
+    const Patches found(ways, map_.cell(), min_strip * map_.cell());
+    const double length = found.area / map_.cell();
+    return {&side_, found, length * (side_.ceiling - side_.floor), length};
   }
 
   /** @brief Returns the columns before which a lower part of the ceiling ends, and how
@@ -229,25 +230,24 @@ tellOffWalls(const Floorplan& plan,
       parts[side.room].push_back(std::move(part));
     for (const bool is_behind : {true, false}) {
       OffWall found = surface.patches(is_behind);
-      if (const OffWall under = surface.passedUnder();
-          is_behind && under.area > found.area) {
-        found.area = under.area;
-        if (found.found.count == 0)
-          found.found = under.found;
-      }
+      if (OffWall under = surface.passedUnder(); is_behind && under.area > found.area)
+        found = std::move(under);
       if (found.found.count == 0)
         continue;
       areas[side.room][is_behind ? 1 : 0] += found.area;
       off.push_back(std::move(found));
     }
   }
-  for (const auto& [side, found, area] : off) {
+  for (const auto& [side, found, area, passed] : off) {
     const PlanRoom& room = plan.rooms[side->room];
+    std::vector<double> values{area, found.mean};
+    if (passed > 0)
+      values.push_back(passed);
     const bool is_behind = found.mean < 0;
     if (areas[side->room][is_behind ? 1 : 0] >=
         (is_behind ? told_behind : told_before) * surfacesOf(room))
       warnings.push_back({WarningKind::WallOff,
-                          {found.area, found.mean},
+                          std::move(values),
                           room.id,
                           side->isWall() ? side->element + 1 : 0,
                           {},
@@ -257,7 +257,7 @@ tellOffWalls(const Floorplan& plan,
     PlanWarning told{WarningKind::PartUnseen, {0}, plan.rooms[r].id};
     double behind = 0;
     double largest = 0;
-    for (const auto& [side, found, area] : parts[r]) {
+    for (const auto& [side, found, area, passed] : parts[r]) {
       told.values[0] += found.area;
       behind += area;
       if (found.area > largest)

@@ -279,10 +279,94 @@ SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) cons
 }
 
 void
+SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const
+{
+  constexpr double low = 0.3;      // metres above the floor, where legs and seats end
+  constexpr double high = 0.9;     // likewise of the lowest half wall
+  constexpr double shortest = 1;   // metres; leaves of doors are shorter
+  constexpr double thickest = 0.3; // metres, with a tile
+  constexpr std::uint64_t top = 3; // steps
+  const RoomLookup& lookup = rooms_[room];
+  const auto seenBetween = [&](CellKey key, const OffModel& off) {
+    const double height = off.ceiling - lookup.floorAt(tiles_.centre(cellOf(key)));
+    std::pair<int, int> seen_of{0, 0}; // steps
+    for (double z = low + wall_tile / 2; z < high; z += wall_tile) {
+      seen_of.first += (off.once & stepAt(height - z, wall_tile)) != 0 ? 1 : 0;
+      ++seen_of.second;
+    }
+    return seen_of;
+  };
+  const auto isBare = [&](const Eigen::Vector2d& p) {
+    const CellKey key = keyOf(tiles_.at(p.x(), p.y()));
+    const auto off = off_[room].find(key);
+    return isOnSlab(room, keyOf(grid_.at(p.x(), p.y())), true) &&
+           (off == off_[room].end() || seenBetween(key, off->second).first == 0);
+  };
+  const auto hasFloor = [&](const Eigen::Vector2d& at, const Eigen::Vector2d& way) {
+    for (double d = wall_tile; d < thickest + wall_tile / 2; d += wall_tile)
+      if (isBare(at + d * way) && isBare(at + (d + wall_tile) * way))
+        return true; // more than the recess below a counter
+    return false;
+  };
+  const auto isThin = [&](const Eigen::Vector2d& at) {
+    for (const Eigen::Vector2d& way : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1),
+                                       Eigen::Vector2d(M_SQRT1_2, M_SQRT1_2),
+                                       Eigen::Vector2d(M_SQRT1_2, -M_SQRT1_2)})
+      if (hasFloor(at, way) && hasFloor(at, -way))
+        return true;
+    return false;
+  };
+  std::vector<CellValue> heights; // of what stands there
+  for (const auto& [key, off] : off_[room]) {
+    const Eigen::Vector2d at = tiles_.centre(cellOf(key));
+    const double height = off.ceiling - lookup.floorAt(at);
+    const auto [seen, all] = seenBetween(key, off);
+    if (seen > 0 && seen >= all - 1 && (off.once & top) == 0 && isThin(at))
+      heights.emplace_back(key, height - wall_tile * __builtin_ctzll(off.once));
+  }
+  const CellSet cells = cellsOf(heights);
+  const CellRegions regions = labelRegions(cells);
+  PlanWarning told{WarningKind::Standing, {0, 0}, rooms_[room].room().id};
+  double longest = 0;
+  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
+    double height = 0;
+    Eigen::Vector2d end = Eigen::Vector2d::Zero();
+    double length = 0;
+    const auto findFarthest = [&](const Eigen::Vector2d& from) {
+      for (std::size_t k = 0; k < cells.size(); ++k)
+        if (const Eigen::Vector2d at = tiles_.centre(cells[k]);
+            regions.label[k] == r && (at - from).norm() >= length) {
+          length = (at - from).norm();
+          end = at;
+        }
+    };
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (regions.label[k] == r) {
+        end = tiles_.centre(cells[k]);
+        height += heights[k].second / static_cast<double>(regions.sizes[r]);
+      }
+    findFarthest(end);
+    const Eigen::Vector2d start = end;
+    length = 0;
+    findFarthest(start);
+    if (length < shortest)
+      continue;
+    told.values[0] += 2 * length * height; // both faces
+    told.values[1] = std::max(told.values[1], height);
+    if (length > longest)
+      told.at = (start + end) / 2;
+    longest = std::max(longest, length);
+  }
+  if (longest > 0)
+    warnings.push_back(told);
+}
+
+void
 SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
 {
   for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellOff(r, warnings);
+    tellHalfWalls(r, warnings);
     tellHanging(r, warnings);
     tellBeyond(r, warnings);
     tellCeilingGaps(r, warnings);

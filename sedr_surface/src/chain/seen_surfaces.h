@@ -116,6 +116,11 @@ private:
   /** @brief Warns of what was seen off all surfaces and meets the ceiling. */
   void tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
+  /** @brief Warns of what stands free, is a metre long, ends below the ceiling, and has
+   * the floor beside it on both sides, no farther away than a wall is thick: square
+   * metres of its faces, and how high it is. */
+  void tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
   /** @brief Warns of lower parts of a ceiling, clear of the walls, of which no side up
    * to the rest was seen, if compared with the wall that was seen best. */
   void tellHanging(std::size_t room, std::vector<PlanWarning>& warnings) const;
@@ -147,11 +152,12 @@ private:
 
 /** @brief Appends a warning for each wall off which much was seen, as the maps of its
  * room show: with nothing on it and something close before it, or behind it and in no
- * room; or where a ceiling goes on behind it. Where an opening is, or its reveals,
- * nothing counts, but one as long as its wall, or as high with nothing seen beyond its
- * back, may be the wall. Niches as long as their wall are told of as well, and once a
- * room lower parts of its ceiling that end before their wall, if what is there instead,
- * as behind a beam, makes up 1 % of all surfaces. */
+ * room; or where a ceiling goes on behind it: then a third value is for how many
+ * metres, the second how far. Where an opening is, or its reveals, nothing counts, but
+ * one as long as its wall, or as high with nothing seen beyond its back, may be the
+ * wall. Niches as long as their wall are told of as well, and once a room lower parts
+ * of its ceiling that end before their wall, if what is there instead, as behind a
+ * beam, makes up 1 % of all surfaces. */
 void tellOffWalls(const Floorplan& plan,
                   const OpeningSearch& maps,
                   const SeenSurfaces& rooms,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seen_surfaces.h"
 
+#include "sedr_filters/src/grids/cell_mask.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 #include "sedr_segmentation/src/sheets/floor_pieces.h"
 #include <pcl/sedr_filters/impl/cell_grid.h>
@@ -136,31 +137,33 @@ dropFurniture(const std::vector<CellValue>& heights,
               const Priors& priors,
               std::vector<CellValue>& values)
 {
+  if (heights.empty())
+    return;
   struct Region {
-    double area = 0;
-    double rim = 0;
+    double depth = 0; // of the largest circle in it, metres
     double height = 0;
   };
   const CellSet cells = cellsOf(heights);
   const CellRegions regions = labelRegions(cells);
+  const std::vector<float> inside =
+      squaredDistances(inverted(CellMask(cells, grown(boxOf(cells), 1))));
+  const CellMask frame(grown(boxOf(cells), 1));
   std::vector<Region> of(regions.sizes.size());
   for (std::size_t k = 0; k < cells.size(); ++k) {
     Region& region = of[regions.label[k]];
-    const Cell at = cells[k];
-    region.area += size * size;
+    const double radius = std::sqrt(inside[frame.indexOf(cells[k])]) - 0.5; // to edges
+    region.depth = std::max(region.depth, 2 * radius * size);
     region.height +=
         heights[k].second / static_cast<double>(regions.sizes[regions.label[k]]);
-    for (const Cell next : {Cell{at.x - 1, at.y}, Cell{at.x + 1, at.y},
-                            Cell{at.x, at.y - 1}, Cell{at.x, at.y + 1}})
-      region.rim += cells.contains(next) ? 0 : size;
   }
   const auto isFurniture = [&](const CellValue& value) {
     const std::size_t k = cells.find(cellOf(value.first));
     if (k == CellSet::npos)
       return false;
     const Region& region = of[regions.label[k]];
-    return isAsFurniture(region.area, 2 * region.area / region.rim, region.height,
-                         priors);
+    const double area =
+        static_cast<double>(regions.sizes[regions.label[k]]) * size * size;
+    return isAsFurniture(area, region.depth, region.height, priors);
   };
   values.erase(std::remove_if(values.begin(), values.end(), isFurniture), values.end());
 }

@@ -34,7 +34,8 @@ wallWeights()
                                 {"placed", 2.45},
                                 {"log_error", -1.39},
                                 {"two_faces", 1.14},
-                                {"off", -0.89}}};
+                                {"off", -0.89},
+                                {"passed", -5.0}}}; // odd scenes, odd_scenes.py
   return weights;
 }
 
@@ -105,11 +106,15 @@ openingSigns()
 std::vector<Certainty>
 certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
 {
-  std::map<std::pair<std::uint32_t, std::size_t>, double> off; // square metres
+  using Wall = std::pair<std::uint32_t, std::size_t>;
+  std::map<Wall, double> off;    // square metres
+  std::map<Wall, double> passed; // metres under a ceiling that goes on
   for (const PlanWarning& warning : warnings)
-    if (warning.kind == WarningKind::WallOff)
-      off[{warning.room, warning.wall}] +=
-          warning.values.empty() ? 0 : warning.values[0];
+    if (warning.kind == WarningKind::WallOff) {
+      const Wall wall{warning.room, warning.wall};
+      off[wall] += warning.values.empty() ? 0 : warning.values[0];
+      passed[wall] += warning.values.size() > 2 ? warning.values[2] : 0;
+    }
   std::vector<double> errors;
   bool is_any_known = false;
   for (const PlanRoom& room : plan.rooms)
@@ -143,7 +148,8 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
                        {std::log(std::max(wall.length(), 0.01)), shares.measured,
                         error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
                         thicknesses[r][e] > 0 ? 1.0 : 0.0,
-                        std::min(off[{room.id, e + 1}] / shares.area, 1.0)}},
+                        std::min(off[{room.id, e + 1}] / shares.area, 1.0),
+                        std::min(passed[{room.id, e + 1}] / wall.length(), 1.0)}},
                       error));
       if (wall.is_confirmed)
         walls.back().within.fill(1);

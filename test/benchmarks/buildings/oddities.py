@@ -383,8 +383,60 @@ def arcade(s):
                                    "head": 2.15, "rise": s.between(0.2, 0.6), "depth": round(s.more[0]["outline"]["rectangle"][0][0] - s.x, 3), "leads_to": "beside"})
 
 
+def high_cupboards(s):
+    """Cupboards that end a little below the ceiling: along a whole wall, half of it, or around a corner."""
+    depth, height = s.between(0.35, 0.6), round(s.height - s.rng.choice((0.03, 0.08, 0.15, 0.25)), 3)
+    extent = s.rng.choice(("whole", "half", "corner"))
+    width = round((s.x - 0.02) * (0.5 if extent == "half" else 1), 3)
+    s.room["furniture"].append({"block": {"name": "cupboard", "wall": 2, "s": width / 2 + 0.01, "size": [width, depth, height]}})
+    if extent == "corner":
+        length = round(s.between(0.4, 0.7) * s.y, 3)
+        s.room["furniture"].append({"block": {"name": "cupboard", "wall": 3, "s": round(depth + length / 2 + 0.01, 3), "size": [length, depth, height]}})
+
+
+def lecture_steps(s):
+    """Steps across a lecture room with a desk on each."""
+    s.x, s.y, s.height = s.between(8, 11), s.between(5, 8), s.between(4, 4.6)
+    s.room.update({"outline": rectangle(0, 0, s.x, s.y), "ceiling": s.height, "openings": s.room["openings"][:1], "floor_details": []})
+    rise, tread, first = s.between(0.15, 0.35), s.between(0.85, 1.1), s.between(0.4, 0.5) * s.x
+    for k in range(int((s.x - first) / tread)):
+        front, back = round(first + k * tread, 3), round(first + (k + 1) * tread, 3) if first + (k + 2) * tread <= s.x else s.x
+        floor = round((k + 1) * rise, 3)
+        s.room["floor_details"].append({"loop": rectangle(front, 0, back, s.y), "rise": floor})
+        for name, at, depth, height in (("desk", 0.25, s.between(0.35, 0.5), 0.74), ("bench", 0.7, 0.3, 0.45)):
+            if front + at + depth / 2 < back:
+                s.room["furniture"].append({"block": {"name": name, "at": [round(front + at, 3), round(s.y / 2, 3)], "raise": floor,
+                                                      "size": [depth, round(s.y - s.between(1, 1.8), 3), height]}})
+    s.stations = [[first * 0.35, s.y * 0.3, 1.5], [first * 0.6, s.y * 0.7, 1.5], [s.x - 0.3, s.y * 0.5, floor + 1.3]]
+
+
+def hatch(s):
+    """A hatch beside the door between two rooms."""
+    thickness, start, sill = s.between(0.08, 0.2), s.between(1.5, s.y - 1.5), s.between(0.9, 1.2)
+    s.neighbour(thickness, s.height)
+    s.room["openings"] += [{"wall": 1, "from": 0.3, "to": 1.2, "head": 2.03, "depth": thickness, "leads_to": "beside"},
+                           {"wall": 1, "from": start, "to": round(start + s.between(0.9, 1.3), 3), "sill": sill, "head": round(sill + s.between(0.6, 0.9), 3),
+                            "depth": thickness, "leads_to": "beside"}]
+
+
+def gate(s):
+    """A closed gate, set back in its wall."""
+    width = s.between(2.2, 3)
+    start = s.between(0.2, s.x - width - 0.2)
+    s.room["openings"].append({"wall": 2, "from": start, "to": round(start + width, 3), "head": s.between(2.05, 2.25), "depth": s.between(0.2, 0.36),
+                               "leaf": {"hinge": "both", "angle": 0}})
+
+
+def half_wall_kept(s):
+    """A wall that ends between 0.9 m above the floor and 0.3 m below the ceiling, as part of the building."""
+    at, thickness = s.between(0.4, 0.6) * s.x, s.between(0.1, 0.2)
+    s.room["floor_details"] = [{"loop": rectangle(at, s.y - s.between(0.4, 0.75) * s.y, at + thickness, s.y), "rise": s.between(0.9, s.height - 0.3)}]
+    s.stations = [[s.x * 0.2, s.y * 0.6, 1.5], [s.x * 0.8, s.y * 0.6, 1.5], [s.x * 0.5, s.y * 0.12, 1.5]]
+
+
 FIRST = (cupboards, cupboard, stage, pit, sloping_floor, tilted_wall, glass_partition, thin_partition, acute_corner, low_beam, pilaster, relief, closet,
          high_glazing, soffit, low_ceiling_slope, half_wall, pre_wall, stub_wall, chimney_breast, glass_corner, loft, s_wall, box_floor, mirror_wall,
          bulkhead, curtain, base_units, shelves, alcoves, columns, ribs)
 LATER = (bay_window, room_divider, wall_duct, radiator_niche, door_mirror, baffle, attic, winter_garden, free_wall, half_column, deep_niches, arcade)
 NEWEST = (edge_beam,)
+LATEST = (high_cupboards, lecture_steps, hatch, gate, half_wall_kept)

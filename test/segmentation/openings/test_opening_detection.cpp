@@ -182,6 +182,19 @@ TEST(OpeningDetection, HatchOnTheFloorIsNoDoor)
   openingOf(scene, OpeningKind::Unknown);
 }
 
+TEST(OpeningDetection, LowHatchBetweenTwoRoomsIsFound)
+{
+  const Cut hatch{1.8, 3, 1.15, 1.75};
+  TwoRooms scene(0.005);
+  scene.scanMiddleWall({hatch});
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  expectEdges(found[0], hatch, 4.06, 0.01);
+  TwoRooms shadow(0.005);
+  shadow.scanMiddleWall({}, {hatch});
+  EXPECT_TRUE(openingsOf(shadow).empty()) << "seen from one side only, without reveals";
+}
+
 TEST(OpeningDetection, WidePassage)
 {
   TwoRooms scene(0.005);

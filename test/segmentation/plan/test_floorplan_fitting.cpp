@@ -248,8 +248,11 @@ TEST(FloorplanFitting, WallsTiltOutAndInHoweverMuch)
         p.x = static_cast<float>(4 - run * p.z);
     for (auto* part : {&parts.ceiling, &parts.floor, &parts.walls})
       part->erase(std::remove_if(part->begin(), part->end(), isBeyond), part->end());
+    std::vector<int> seen = points.all(); // a wall hides what is behind it
+    seen.erase(std::remove_if(seen.begin(), seen.end(), isBeyond), seen.end());
     Fitting fitting;
     fitting.setInputCloud(scan);
+    fitting.setIndices(shared(seen));
     fitting.setCeilingIndices(shared(parts.ceiling));
     fitting.setFloorIndices(shared(parts.floor));
     fitting.setWallIndices(shared(parts.walls));

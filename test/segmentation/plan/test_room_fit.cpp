@@ -55,6 +55,38 @@ TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
   EXPECT_LT(cornerError(fitted(points, parts).boundary, truth), 0.004);
 }
 
+/** Returns how deep a room of 6 m is that ends 3.5 m from one wall at a face up to a
+ * height, with 50 cm of its ceiling behind that which no stage has labelled.
+ * @param interrupted for how many metres behind the face no ceiling was seen */
+double
+depthBefore(double top, double interrupted)
+{
+  const PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
+  RoomPoints points;
+  const RoomParts parts = points.room(
+      truth, [&](const Eigen::Vector3d& p) { return p.y() < 3.5 || p.z() > top; },
+      [&](double, double y) { return y < 3.5 || y > 3.5 + interrupted; },
+      [](double, double y) { return y < 3.5; });
+  RoomParts labelled = parts;
+  labelled.ceiling.clear();
+  for (const int i : parts.ceiling)
+    if (points[i].y() < 3.5F)
+      labelled.ceiling.push_back(i);
+  labelled.walls =
+      joined(parts.walls, points.wall(segment({6.01, 3.5}, {0.01, 3.5}), 0, top));
+  const PlanRoom room = fitted(points, labelled);
+  double depth = 0;
+  for (const auto& e : room.boundary.elements)
+    depth = std::max(depth, e.start.y() - 0.01);
+  return depth;
+}
+
+TEST(FitRoom, ACeilingThatGoesOnIsInterruptedByAWallAndNotByACupboard)
+{
+  EXPECT_NEAR(depthBefore(2.3, 0), 4, 0.06) << "above a cupboard";
+  EXPECT_NEAR(depthBefore(2.5, 0.1), 3.49, 0.01) << "behind a wall";
+}
+
 TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);

@@ -97,10 +97,23 @@ TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
     const auto found = unexplained(cloud, plan);
     ASSERT_EQ(found.size(), 1u) << cells;
     EXPECT_EQ(found[0].wall, 4u) << "it is a cupboard up to the ceiling";
-    EXPECT_NEAR(found[0].values[0], 3 * 0.1, 0.02) << "a strip behind it, " << cells;
-    EXPECT_LT(found[0].values[1], 0);
+    ASSERT_EQ(found[0].values.size(), 3u) << cells;
+    EXPECT_NEAR(found[0].values[0], 3 * 2.5, 0.55) << "up to the floor, " << cells;
+    EXPECT_NEAR(found[0].values[1], -30, 5) << cells;
+    EXPECT_NEAR(found[0].values[2], 3, 0.25) << cells;
     for (int twice = 0; twice < 2; ++twice)
       cloud += Cloud(cloud);
+  }
+}
+
+TEST(UnexplainedSurfaces, AreNoCeilingsThatAWallInterrupts)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const bool has_wall : {false, true}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({0, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud);
+    addRectangle({-0.5F, 0, 2.5F}, {has_wall ? 0.4F : 0.5F, 0, 0}, {0, 3, 0}, cloud);
+    EXPECT_EQ(unexplained(cloud, plan).empty(), has_wall);
   }
 }
 
@@ -147,6 +160,29 @@ TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
       EXPECT_NEAR(found[0].values[0], 3 * 0.4 * 2.5, 0.7);
       EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.15, 1.2)).norm(), 0, 0.1);
     }
+  }
+}
+
+TEST(UnexplainedSurfaces, AreHalfWallsButNoSideboards)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float depth : {0.12F, 0.6F}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({0, 0, 0}, {2, 0, 0}, {0, 3, 0}, cloud);
+    addRectangle({2 + depth, 0, 0}, {2 - depth, 0, 0}, {0, 3, 0}, cloud);
+    for (const float x : {2.0F, 2 + depth})
+      addRectangle({x, 1, 0}, {0, 1.4F, 0}, {0, 0, 1.3F}, cloud);
+    addRectangle({2, 1, 0}, {depth, 0, 0}, {0, 0, 1.3F}, cloud);
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), depth < 0.5F ? 1u : 0u) << depth;
+    if (found.empty())
+      continue;
+    EXPECT_EQ(found[0].kind, WarningKind::Standing);
+    ASSERT_EQ(found[0].values.size(), 2u);
+    EXPECT_NEAR(found[0].values[0], 2 * 1.4 * 1.3, 0.4) << "both faces";
+    EXPECT_NEAR(found[0].values[1], 1.3, 0.1);
+    EXPECT_NEAR((found[0].at - Eigen::Vector2d(2.06, 1.7)).norm(), 0, 0.15);
+    EXPECT_NE(sentenceOf(found[0]).find("it may be a half wall"), std::string::npos);
   }
 }
 

@@ -301,12 +301,22 @@ TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
   ASSERT_EQ(walls.size(), 4u);
   EXPECT_EQ(walls[2].element, "1.3");
   EXPECT_NEAR(walls[2].area, 10, 1e-9);
-  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0, 0.3};
+  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0, 0.3, 0};
   ASSERT_EQ(walls[2].signs.size(), truth.size());
   EXPECT_EQ(wallSigns().size(), truth.size());
   for (std::size_t k = 0; k < truth.size(); ++k)
     EXPECT_NEAR(walls[2].signs[k], truth[k], 1e-9) << wallSigns()[k];
   EXPECT_EQ(walls[1].signs.back(), 0);
+}
+
+TEST(Certainty, OfAWallBehindWhichItsCeilingGoesOnIsLittle)
+{
+  const auto of = [](std::vector<double> values) {
+    return certaintyOfWalls(measuredRoom(), {{WarningKind::WallOff, values, 1, 3}})[2];
+  };
+  EXPECT_GT(of({10, -38}).right(), 0.5) << "as much is seen behind it";
+  EXPECT_LT(of({10, -38, 4}).right(), 0.5);
+  EXPECT_NEAR(of({2.5, -38, 1}).signs.back(), 0.25, 1e-9) << "of its length";
 }
 
 TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
