@@ -160,6 +160,8 @@ TEST(OpeningDetection, WindowInACornerOfAPlanDrawnToItsPane)
   EXPECT_NEAR(std::max(found.start.x(), found.end.x()), cut.to, 0.02);
   EXPECT_NEAR(found.bottom, cut.bottom, 0.02);
   EXPECT_NEAR(found.top, cut.top, 0.02);
+  ASSERT_EQ(found.walls.size(), 1u);
+  EXPECT_EQ(found.walls[0].element, 0u) << "the wall beside the bay is named";
 }
 
 TEST(OpeningDetection, WallOfGlassInAPlanDrawnToItsPane)
