@@ -3,6 +3,7 @@
 // for all tests, with figures of doc/real_scans.md.
 #include "tools/run_program.h"
 
+#include <pcl/common/transforms.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_editor.h>
@@ -104,6 +105,88 @@ TEST(RealScan, apartment_rooms_close_but_for_six_handles_at_most)
                                2;
   EXPECT_GE(handles, 0);
   EXPECT_LE(handles, 6);
+}
+
+/** The places along the walls and columns of a plan, one each 5 cm, with their normals.
+ */
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>
+placesOnWalls(const Floorplan& plan)
+{
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> places;
+  for (const PlanRoom& room : plan.rooms) {
+    std::vector<PlanLoop> loops = room.columns;
+    loops.push_back(room.boundary);
+    for (const PlanLoop& loop : loops)
+      for (const PlanElement& e : loop.elements)
+        for (double s = 0.025; s < e.length(); s += 0.05)
+          places.emplace_back(e.pointAt(s), e.normalAt(s));
+  }
+  return places;
+}
+
+/** The share of the walls of a plan that another has within 3 cm and 10 degrees. */
+double
+sharedWalls(const Floorplan& plan, const Floorplan& other)
+{
+  const auto walls = placesOnWalls(plan);
+  const auto others = placesOnWalls(other);
+  const auto shared = std::count_if(walls.begin(), walls.end(), [&](const auto& wall) {
+    return std::any_of(others.begin(), others.end(), [&](const auto& o) {
+      return (o.first - wall.first).squaredNorm() < 0.06 * 0.06 &&
+             std::abs(o.second.dot(wall.first - o.first)) < 0.03 &&
+             std::abs(o.second.dot(wall.second)) > std::cos(M_PI / 18);
+    });
+  });
+  return static_cast<double>(shared) / static_cast<double>(walls.size());
+}
+
+/** The share of the openings of a plan of which another has one of the same kind within
+ * 0.3 m. */
+double
+sharedOpenings(const Floorplan& plan, const Floorplan& other)
+{
+  const auto middleOf = [](const PlanOpening& o) {
+    return Eigen::Vector2d((o.start + o.end) / 2);
+  };
+  const auto isShared = [&](const PlanOpening& opening) {
+    return std::any_of(other.openings.begin(), other.openings.end(),
+                       [&](const auto& o) {
+                         return o.kind == opening.kind &&
+                                (middleOf(o) - middleOf(opening)).norm() < 0.3;
+                       });
+  };
+  return static_cast<double>(
+             std::count_if(plan.openings.begin(), plan.openings.end(), isShared)) /
+         static_cast<double>(plan.openings.size());
+}
+
+TEST(RealScan, apartment_has_the_same_walls_and_openings_if_it_is_turned)
+{
+  SEDR_MODEL_OR_SKIP(model, "apartment");
+  const auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  ASSERT_EQ(pcl::io::loadPCDFile(dataFile("apartment.pcd"), *cloud), 0);
+  const Eigen::Affine3f turn(Eigen::AngleAxisf(0.5F, Eigen::Vector3f::UnitZ()));
+  pcl::transformPointCloud(*cloud, *cloud, turn);
+  pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
+  chain.setInputCloud(cloud);
+  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
+  const Eigen::Rotation2Dd back(-0.5);
+  Floorplan turned = *chain.getFloorplan();
+  for (PlanRoom& room : turned.rooms) {
+    room.columns.push_back(room.boundary);
+    for (PlanLoop& loop : room.columns)
+      for (PlanElement& e : loop.elements)
+        for (Eigen::Vector2d* p : {&e.start, &e.end, &e.centre})
+          *p = back * *p;
+    room.boundary.elements.clear();
+  }
+  for (PlanOpening& o : turned.openings)
+    for (Eigen::Vector2d* p : {&o.start, &o.end})
+      *p = back * *p;
+  EXPECT_GT(sharedWalls(model.plan, turned), 0.9);
+  EXPECT_GT(sharedWalls(turned, model.plan), 0.9);
+  EXPECT_GT(sharedOpenings(model.plan, turned), 0.8);
+  EXPECT_GT(sharedOpenings(turned, model.plan), 0.8);
 }
 
 /** The plan of the points of a scan whose y is at most `end`. */
