@@ -19,8 +19,9 @@ namespace pcl::sedr {
  *                       or of any room and the cell is none; `niche` where that air is
  *                       in a recess with an opaque back, 0 in one that is open;
  *                       `unseen` of a room where nobody saw air)
- *                     + surface x (StoreyLines::certainty if the cell before it is not
- *                       of the room that saw it, or the cell behind it is)
+ *                     + surface x StoreyLine::height x (StoreyLines::certainty if the
+ *                       cell before it is not of the room that saw it, or the cell
+ *                       behind it is)
  *               + sum over borders and the rooms beside them
  *                     length x (`wall` + `off` x what was not explained of a surface
  *                       that the room saw; `partly`, `gap`, `ended` or `open` where it

@@ -73,42 +73,30 @@ revealDepth(const WallMap& map, const WallRectangle& at)
   return std::min(std::max(*deep / share, opening_numbers.usual_wall), deepest);
 }
 
-/** @brief Returns how much of an opening lies beside the element of a side, metres. */
-double
-lengthBeside(const Floorplan& plan, const WallSide& side, const PlanOpening& opening)
-{
-  const PlanElement& element = side.in(plan);
-  const auto [from, to] =
-      std::minmax({element.project(opening.start), element.project(opening.end)});
-  return to - from;
-}
-
 /** @brief Names the wall on which an opening was found, none of a column: of the
- * elements over which its side goes on that beside which most of the opening lies. */
+ * elements in line with its side that beside which most of the opening lies. */
 void
 addWall(const Floorplan& plan,
-        const std::vector<WallSide>& sides,
         const WallSide& side,
         double max_depth,
         PlanOpening& opening)
 {
   if (!side.isWall())
     return;
-  const WallSide* wall = &side;
-  double most = lengthBeside(plan, side, opening);
-  for (const WallSide& other : sides) {
-    if (other.room != side.room || !other.isWall() || other.line.isArc() ||
-        side.line.isArc() ||
-        other.line.normalAt(0).dot(side.line.normalAt(0)) <
-            opening_numbers.min_cosine ||
-        std::abs(side.offset(other.in(plan).pointAt(0))) > max_depth)
-      continue;
-    if (const double length = lengthBeside(plan, other, opening); length > most) {
-      most = length;
-      wall = &other;
-    }
-  }
-  opening.walls.push_back({plan.rooms[side.room].id, wall->element});
+  const PlanRoom& room = plan.rooms[side.room];
+  const std::vector<PlanElement>& walls = room.boundary.elements;
+  const auto lengthBeside = [&](const PlanElement& wall) {
+    return std::abs(wall.project(opening.end) - wall.project(opening.start));
+  };
+  std::size_t best = side.element;
+  for (std::size_t e = 0; e < walls.size() && !side.line.isArc(); ++e)
+    if (const PlanElement& wall = walls[e];
+        !wall.isArc() &&
+        wall.normalAt(0).dot(side.line.normalAt(0)) >= opening_numbers.min_cosine &&
+        std::abs(side.offset(wall.start)) <= max_depth &&
+        lengthBeside(wall) > lengthBeside(walls[best]))
+      best = e;
+  opening.walls.push_back({room.id, best});
 }
 
 /** @brief Finds what may be openings on all sides. */
@@ -279,10 +267,9 @@ private:
     };
     o.start = onMiddleLine(at.from);
     o.end = onMiddleLine(at.to);
-    addWall(plan_, search_.sides, side, sizes_.max_depth, o);
+    addWall(plan_, side, sizes_.max_depth, o);
     if (is_paired)
-      addWall(plan_, search_.sides, search_.sides[candidate.behind], sizes_.max_depth,
-              o);
+      addWall(plan_, search_.sides[candidate.behind], sizes_.max_depth, o);
     o.bottom = at.bottom;
     o.top = at.top;
     o.rise = at.rise;

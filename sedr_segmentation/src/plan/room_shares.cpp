@@ -6,6 +6,8 @@
 #include "../rooms/room_gaps.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -13,6 +15,23 @@
 namespace pcl::sedr {
 
 namespace {
+
+/** @brief Returns the heights of the ceiling of a room, the highest in each cell. */
+std::map<CellKey, float>
+ceilingHeights(const PointView& points, const CellGrid& grid, const RoomEvidence& room)
+{
+  std::map<CellKey, float> heights;
+  const auto add = [&](const Eigen::Vector3f& p) {
+    const auto cell = heights.emplace(keyOf(grid.at(p.x(), p.y())), p.z()).first;
+    cell->second = std::max(cell->second, p.z());
+  };
+  for (const auto* part : {&room.ceiling, &room.details})
+    for (const int i : *part)
+      add(points[static_cast<std::size_t>(i)]);
+  for (const Eigen::Vector3f& place : room.hidden.ceiling)
+    add(place);
+  return heights;
+}
 
 /** @brief Returns the gaps of a room: from its ceiling, as high as in each cell, down
  * to its lowest floor that is as large as a pit; without floor points it is as high as
@@ -26,16 +45,7 @@ appendGaps(const PointView& points,
            std::uint32_t room,
            std::vector<RoomGap>& gaps)
 {
-  std::map<CellKey, float> top;
-  const auto add = [&](const Eigen::Vector3f& p) {
-    const auto cell = top.emplace(keyOf(grid.at(p.x(), p.y())), p.z()).first;
-    cell->second = std::max(cell->second, p.z());
-  };
-  for (const auto* part : {&evidence.ceiling, &evidence.details})
-    for (const int i : *part)
-      add(points[static_cast<std::size_t>(i)]);
-  for (const Eigen::Vector3f& place : evidence.hidden.ceiling)
-    add(place);
+  const std::map<CellKey, float> top = ceilingHeights(points, grid, evidence);
   if (top.empty())
     return;
   HeightCounts lows;
@@ -54,6 +64,8 @@ appendGaps(const PointView& points,
                     static_cast<float>(floor)});
 }
 
+using PointsOfCells = std::map<CellKey, std::vector<int>>;
+
 template <typename Visitor>
 void
 forAllBeside(Cell cell, Visitor visit)
@@ -63,10 +75,77 @@ forAllBeside(Cell cell, Visitor visit)
     visit(beside);
 }
 
+/** @brief Calls `visit` for the square of cells up to `reach` cells from one. */
+template <typename Visitor>
+void
+forAllAround(Cell cell, std::int32_t reach, Visitor visit)
+{
+  for (std::int32_t y = -reach; y <= reach; ++y)
+    for (std::int32_t x = -reach; x <= reach; ++x)
+      visit(Cell{cell.x + x, cell.y + y});
+}
+
+/** @brief Returns the points of `others` on which a ceiling goes on from cell to cell,
+ * at the height that is nearest to that of the cell before. */
+PointsOfCells
+pointsBeyond(const PointView& points,
+             const PointsOfCells& others,
+             std::map<CellKey, float> heights,
+             double step)
+{
+  PointsOfCells beyond;
+  std::vector<std::pair<CellKey, float>> next(heights.begin(), heights.end());
+  while (!next.empty()) {
+    const auto [key, z] = next.back();
+    next.pop_back();
+    forAllBeside(cellOf(key), [&, z = z](Cell beside) {
+      const auto found = others.find(keyOf(beside));
+      if (found == others.end() || heights.count(found->first) > 0)
+        return;
+      std::vector<int> on;
+      float height = std::numeric_limits<float>::infinity();
+      for (const int i : found->second) {
+        const float at = points[static_cast<std::size_t>(i)].z();
+        if (std::abs(at - z) >= step)
+          continue;
+        on.push_back(i);
+        if (std::abs(at - z) < std::abs(height - z))
+          height = at;
+      }
+      if (on.empty())
+        return;
+      heights.emplace(found->first, height);
+      next.emplace_back(found->first, height);
+      beyond.emplace(found->first, std::move(on));
+    });
+  }
+  return beyond;
+}
+
+/** @brief Returns the parts that are three cells wide or more, without the rest, which
+ * may be the tops of walls. */
+CellSet
+wideParts(const PointsOfCells& cells)
+{
+  std::set<CellKey> wide;
+  for (const auto& [key, on] : cells) {
+    bool is_wide = true;
+    forAllAround(cellOf(key), 1,
+                 [&](Cell cell) { is_wide = is_wide && cells.count(keyOf(cell)) > 0; });
+    if (is_wide)
+      forAllAround(cellOf(key), 2, [&](Cell cell) {
+        if (cells.count(keyOf(cell)) > 0)
+          wide.insert(keyOf(cell));
+      });
+  }
+  return CellSet::fromSorted({wide.begin(), wide.end()});
+}
+
 /** @brief Adds to the ceiling of each room the points of no ceiling or floor on which
  * it goes on from cell to cell, over more than a door's width and by a square metre: a
- * wall interrupts it for its thickness, what ends below it does not. What is less wide
- * than three cells may be the tops of walls. O(points). */
+ * wall interrupts it for its thickness, what ends below it does not. What lies beside
+ * several rooms is the ceiling of the one beside which most of it lies. O(points log
+ * points) for each room beside them. */
 void
 addCeilingsBeyond(const PointView& points,
                   const CellGrid& grid,
@@ -74,81 +153,53 @@ addCeilingsBeyond(const PointView& points,
                   const Priors& priors,
                   std::vector<RoomEvidence>& rooms)
 {
-  std::vector<std::uint8_t> is_slab(points.size(), 0);
+  std::vector<std::uint8_t> is_taken(points.size(), 0);
   for (const auto* list : {&evidence.ceiling, &evidence.details, &evidence.floor})
     for (const int i : *list)
-      is_slab[static_cast<std::size_t>(i)] = 1;
-  std::map<CellKey, std::vector<int>> others;
+      is_taken[static_cast<std::size_t>(i)] = 1;
+  PointsOfCells others;
   for (const int i : evidence.all)
     if (const auto at = static_cast<std::size_t>(i);
-        !is_slab[at] && points.isFinite(at) &&
+        is_taken[at] == 0 && points.isFinite(at) &&
         grid.holds(points[at].x(), points[at].y()))
       others[keyOf(grid.at(points[at].x(), points[at].y()))].push_back(i);
-  for (RoomEvidence& room : rooms) {
-    std::map<CellKey, float> heights;
-    for (const auto* list : {&room.ceiling, &room.details})
-      for (const int i : *list) {
-        const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-        const auto cell = heights.emplace(keyOf(grid.at(p.x(), p.y())), p.z()).first;
-        cell->second = std::max(cell->second, p.z());
-      }
-    std::vector<std::pair<CellKey, float>> next(heights.begin(), heights.end());
-    std::map<CellKey, std::vector<int>> beyond;
-    while (!next.empty()) {
-      const auto [key, z] = next.back();
-      next.pop_back();
-      forAllBeside(cellOf(key), [&, z = z](Cell beside) {
-        const auto found = others.find(keyOf(beside));
-        if (found == others.end() || heights.count(found->first) > 0)
-          return;
-        std::vector<int> on;
-        for (const int i : found->second)
-          if (std::abs(points[static_cast<std::size_t>(i)].z() - z) <
-              priors.min_ceiling_step)
-            on.push_back(i);
-        if (on.empty())
-          return;
-        const float height = points[static_cast<std::size_t>(on.front())].z();
-        heights.emplace(found->first, height);
-        next.emplace_back(found->first, height);
-        beyond.emplace(found->first, std::move(on));
-      });
-    }
-    const auto isBeyond = [&](Cell cell) { return beyond.count(keyOf(cell)) > 0; };
-    std::set<CellKey> wide;
-    for (const auto& [key, on] : beyond) {
-      const Cell low = cellOf(key);
-      bool is_wide = true;
-      for (std::int32_t y = 0; y < 3; ++y)
-        for (std::int32_t x = 0; x < 3; ++x)
-          is_wide = is_wide && isBeyond({low.x + x, low.y + y});
-      for (std::int32_t y = -1; is_wide && y < 4; ++y)
-        for (std::int32_t x = -1; x < 4; ++x)
-          wide.insert(keyOf({low.x + x, low.y + y}));
-    }
-    std::vector<CellKey> kept;
-    for (const auto& [key, on] : beyond)
-      if (wide.count(key) > 0)
-        kept.push_back(key);
-    const CellSet cells = CellSet::fromSorted(std::move(kept));
+  struct Part {
+    std::size_t room;
+    double passed = 0; // metres beside the ceiling of the room
+    std::size_t cells = 0;
+    std::vector<int> on{};
+  };
+  std::vector<Part> parts;
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const auto heights = ceilingHeights(points, grid, rooms[r]);
+    const PointsOfCells beyond =
+        pointsBeyond(points, others, heights, priors.min_ceiling_step);
+    const CellSet cells = wideParts(beyond);
     const CellRegions regions = labelRegions(cells);
-    std::vector<double> passed(regions.sizes.size(), 0); // metres of ceiling beside
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      forAllBeside(cells[k], [&](Cell beside) {
-        if (heights.count(keyOf(beside)) > 0 && !isBeyond(beside))
-          passed[regions.label[k]] += grid.size();
-      });
+    std::vector<Part> of_room(regions.sizes.size(), {r});
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      const std::size_t region = regions.label[k];
-      if (passed[region] < priors.max_door_width || // as through a gap
-          static_cast<double>(regions.sizes[region]) * grid.size() * grid.size() <
-              priors.min_slab_area)
-        continue;
-      const std::vector<int>& on = beyond[keyOf(cells[k])];
-      room.ceiling.insert(room.ceiling.end(), on.begin(), on.end());
-      others.erase(keyOf(cells[k]));
+      Part& part = of_room[regions.label[k]];
+      const std::vector<int>& on = beyond.at(cells.keys()[k]);
+      part.on.insert(part.on.end(), on.begin(), on.end());
+      ++part.cells;
+      forAllBeside(cells[k], [&](Cell beside) {
+        part.passed += heights.count(keyOf(beside)) > 0 ? grid.size() : 0;
+      });
     }
+    for (Part& part : of_room)
+      if (part.passed >= priors.max_door_width && // not as through a gap
+          static_cast<double>(part.cells) * grid.size() * grid.size() >=
+              priors.min_slab_area)
+        parts.push_back(std::move(part));
   }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.passed > b.passed; });
+  for (const Part& part : parts)
+    for (const int i : part.on)
+      if (std::uint8_t& taken = is_taken[static_cast<std::size_t>(i)]; taken == 0) {
+        rooms[part.room].ceiling.push_back(i);
+        taken = 1;
+      }
 }
 
 } // namespace

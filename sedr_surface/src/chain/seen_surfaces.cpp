@@ -289,12 +289,12 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   const RoomLookup& lookup = rooms_[room];
   const auto seenBetween = [&](CellKey key, const OffModel& off) {
     const double height = off.ceiling - lookup.floorAt(tiles_.centre(cellOf(key)));
-    std::pair<int, int> seen_of{0, 0}; // steps
+    std::pair<int, int> steps{0, 0}; // seen, and all
     for (double z = low + wall_tile / 2; z < high; z += wall_tile) {
-      seen_of.first += (off.once & stepAt(height - z, wall_tile)) != 0 ? 1 : 0;
-      ++seen_of.second;
+      steps.first += (off.once & stepAt(height - z, wall_tile)) != 0 ? 1 : 0;
+      ++steps.second;
     }
-    return seen_of;
+    return steps;
   };
   const auto isBare = [&](const Eigen::Vector2d& p) {
     const CellKey key = keyOf(tiles_.at(p.x(), p.y()));
@@ -326,31 +326,32 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   }
   const CellSet cells = cellsOf(heights);
   const CellRegions regions = labelRegions(cells);
+  struct Place {
+    Eigen::Vector2d at;
+    double height;
+  };
+  std::vector<std::vector<Place>> places(regions.sizes.size());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    places[regions.label[k]].push_back({tiles_.centre(cells[k]), heights[k].second});
+  const auto farthestFrom = [](const Eigen::Vector2d& from,
+                               const std::vector<Place>& all) {
+    return std::max_element(all.begin(), all.end(),
+                            [&](const Place& a, const Place& b) {
+                              return (a.at - from).norm() < (b.at - from).norm();
+                            })
+        ->at;
+  };
   PlanWarning told{WarningKind::Standing, {0, 0}, rooms_[room].room().id};
   double longest = 0;
-  for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-    double height = 0;
-    Eigen::Vector2d end = Eigen::Vector2d::Zero();
-    double length = 0;
-    const auto findFarthest = [&](const Eigen::Vector2d& from) {
-      for (std::size_t k = 0; k < cells.size(); ++k)
-        if (const Eigen::Vector2d at = tiles_.centre(cells[k]);
-            regions.label[k] == r && (at - from).norm() >= length) {
-          length = (at - from).norm();
-          end = at;
-        }
-    };
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      if (regions.label[k] == r) {
-        end = tiles_.centre(cells[k]);
-        height += heights[k].second / static_cast<double>(regions.sizes[r]);
-      }
-    findFarthest(end);
-    const Eigen::Vector2d start = end;
-    length = 0;
-    findFarthest(start);
+  for (const std::vector<Place>& wall : places) {
+    const Eigen::Vector2d start = farthestFrom(wall.front().at, wall);
+    const Eigen::Vector2d end = farthestFrom(start, wall);
+    const double length = (end - start).norm();
     if (length < shortest)
       continue;
+    double height = 0;
+    for (const Place& place : wall)
+      height += place.height / static_cast<double>(wall.size());
     told.values[0] += 2 * length * height; // both faces
     told.values[1] = std::max(told.values[1], height);
     if (length > longest)

@@ -3,6 +3,7 @@
 
 #include "room_points.h"
 #include "sedr_filters/src/grids/cell_set.h"
+#include "sedr_segmentation/src/plan/room_shares.h"
 
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
@@ -14,17 +15,6 @@
 namespace sedr_test {
 
 using namespace pcl::sedr;
-
-/** The points of rooms as the stages before the fit label them: indices, and the room
- * of each point unless all is one. */
-struct PlanEvidence {
-  std::vector<int> all;
-  std::vector<int> ceiling;
-  std::vector<int> details;
-  std::vector<int> floor;
-  std::vector<int> walls; ///< empty: all
-  std::vector<std::uint32_t> room;
-};
 
 /** Returns a room's points as the previous stages label them: points in a cell with a
  * wall are not ceiling. */

@@ -39,8 +39,8 @@ enum class WarningKind {
   CeilingOff,    ///< m2 off the model, from, to m above the floor
   FloorOff,      ///< likewise
   FloorUnseen,   ///< m2
-  WallOff,       ///< m2 off the model, mean cm, positive into the room
-  Standing,      ///< m2 of what reaches up to the ceiling and is not in the plan
+  WallOff,       ///< m2 off, mean cm, above 0: before it; m of a ceiling behind it
+  Standing,      ///< m2 of what is not in the plan; m high if it may be a half wall
   Hanging,       ///< m2, m below the rest, % seen of its best side
   Tilted,        ///< degrees, positive into the room
   NotAdjusted,   ///< reason
