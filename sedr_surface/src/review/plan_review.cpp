@@ -145,16 +145,20 @@ public:
     }
   }
 
-  std::vector<PlanDoubt> sorted()
+  /** @brief Moves the doubts into a review, and what puts nothing at stake in
+   * particular into its remarks. */
+  void moveTo(PlanReview& review)
   {
-    std::vector<PlanDoubt> doubts;
+    std::vector<PlanDoubt>& doubts = review.doubts;
     for (Draft& draft : drafts_) {
       draft.doubt.text = textOf(draft);
-      doubts.push_back(std::move(draft.doubt));
+      if (draft.doubt.subject.empty() && draft.doubt.extent == Stake::None)
+        review.remarks.push_back(std::move(draft.doubt.text));
+      else
+        doubts.push_back(std::move(draft.doubt));
     }
     std::stable_sort(doubts.begin(), doubts.end(),
                      [](const auto& a, const auto& b) { return a.stake > b.stake; });
-    return doubts;
   }
 
 private:
@@ -360,7 +364,7 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
     for (const PlanWarning& warning : list)
       doubts.add(warning);
   doubts.add(review);
-  review.doubts = doubts.sorted();
+  doubts.moveTo(review);
   judge(plan, review);
   return review;
 }

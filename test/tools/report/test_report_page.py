@@ -62,6 +62,7 @@ def sample_report():
             "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
             "noise": [{"rooms": [1, 2], "measured": 0.0052, "correlation": 0.12, "stretches": 9}],
             "verdict": {"verdict": "check", "checks": 2, "shown": 10, "text": "check these 2 places before you hand it over"},
+            "remarks": ["the scan is tilted"],
             "doubts": [{"subject": "room 1", "room": 1, "at": [0.75, 2.5], "stake": 2, "kinds": ["stage"], "text": "look at room 1: <b>a part</b>"},
                        {"subject": "wall 2.3", "room": 2, "at": [4.75, 0.5], "stake": 1, "kinds": ["stage"], "text": "look at wall 2.3: second"},
                        {"subject": "", "room": 0, "at": None, "stake": 0, "kinds": ["strays"], "text": "strays were left out"}]}
@@ -316,6 +317,7 @@ class ReportInABrowser(BrowserCase):
 
     def test_what_is_doubted_is_told_as_the_report_has_it(self):
         words = self.words(self.open(), "#check")
+        self.assertRegex(words, "(?s)hand it over.*The scan is tilted\\..*look at room 1", "what is of the whole comes before places")
         self.assertIn("Check these 2 places before you hand it over.", words)
         self.assertIn("look at room 1: <b>a part</b>", words)
         self.assertIn("2.00 m² at stake", words)

@@ -317,10 +317,12 @@ makeModel(const ModelSettings& settings,
   std::string problem;
   if (settings.report)
     problem = writeReportPage(settings, folder);
-  const std::vector<std::string> doubts = firstOf(review.doubts);
+  std::vector<std::string> told = review.remarks;
+  for (std::string& line : firstOf(review.doubts))
+    told.push_back(std::move(line));
   const std::string summary = summaryOf(record, chain) + "\n" + review.text;
   folder.exchange(); // what follows needs no memory to speak of
-  for (const std::string& line : doubts)
+  for (const std::string& line : told)
     warn(line);
   std::cout << summary << std::endl;
   if (!problem.empty())

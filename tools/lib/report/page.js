@@ -70,6 +70,7 @@
   function check(section) {
     const list = section.querySelector('ul'), all = report.doubts || [], { text, shown = all.length } = report.verdict || {};
     if (text) section.querySelector('.verdict').append(text[0].toUpperCase() + text.slice(1) + '.');
+    list.before(...(report.remarks || []).map(remark => make('p', { class: 'remark' }, remark[0].toUpperCase() + remark.slice(1) + '.')));
     const item = ({ text, stake }, ...more) => make('li', {}, text, ...more,
       ...(stake ? [make('span', { class: 'remedy' }, `${number(stake, 2)}\u00a0m² at stake`)] : []));
     for (const told of all.slice(0, shown)) {

@@ -111,8 +111,9 @@ enum class ReviewVerdict { HandOver, Check, ScanAgain };
 struct PlanReview {
   std::vector<Certainty> walls;
   std::vector<Certainty> openings;
-  std::vector<PlanDoubt> doubts;  ///< one a place; what puts most at stake comes first
-  std::array<double, 3> within{}; ///< expected shares of the walls' area; 1: no walls
+  std::vector<PlanDoubt> doubts; ///< one a place; what puts most at stake comes first
+  std::vector<std::string> remarks; ///< on the whole, with no place to look at
+  std::array<double, 3> within{};   ///< expected shares of the walls' area; 1: no walls
   ReviewVerdict verdict = ReviewVerdict::HandOver;
   std::size_t checks = 0; ///< as many doubts to look at, the first ones
   std::string text;       ///< the verdict, a sentence
@@ -123,9 +124,10 @@ struct PlanReview {
  * Warnings of one wall, opening or room at one place are one doubt, and so are walls
  * and openings that are less than 90 % sure. So many of the first ten are to be checked
  * that the rest puts 2 % of walls and floors at stake and has no wall or opening among
- * these ten that is rather wrong than right, nor a room without a way in; if all but unit and up put more than a tenth at
- * stake, scanning again is better. A room and its walls count once.
- * Odds of walls and openings are fitted, see Certainty, and those of common warnings.
+ * these ten that is rather wrong than right, nor a room without a way in; if all but
+ * unit and up put more than a tenth at stake, scanning again is better. A room and its
+ * walls count once. Odds of walls and openings are fitted, see Certainty, and those of
+ * common warnings.
  * @param plan its openings have numbers, see numberOpenings()
  * @param warnings of the stages; what is unlikely in a building is added here */
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
