@@ -369,6 +369,26 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
   return review;
 }
 
+std::set<std::string>
+leadingSubjects(const std::vector<PlanDoubt>& doubts)
+{
+  std::set<std::string> subjects;
+  for (std::size_t k = 0; k < std::min(leading_doubts, doubts.size()); ++k)
+    subjects.insert(doubts[k].subject);
+  return subjects;
+}
+
+std::function<bool(std::uint32_t, std::size_t)>
+wallsAmong(std::set<std::string> subjects)
+{
+  return [subjects = std::move(subjects)](std::uint32_t room, std::size_t e) {
+    PlanWarning wall;
+    wall.room = room;
+    wall.wall = e + 1;
+    return subjects.count(subjectOf(wall)) > 0;
+  };
+}
+
 std::vector<std::string>
 firstOf(const std::vector<PlanDoubt>& doubts, std::size_t most)
 {

@@ -168,6 +168,16 @@ TEST(PlanReview, WhatIsOfTheWholeWithoutAStakeIsARemarkAndNoPlace)
   EXPECT_EQ(review.doubts[1].subject, "room 1");
 }
 
+TEST(PlanReview, OnlyWallsThatADoubtNamesAreNumberedOnDrawings)
+{
+  Floorplan plan = measuredRoom();
+  hideWall(plan, 2);
+  const auto is_numbered = wallsAmong(leadingSubjects(reviewOf(plan, {}).doubts));
+  EXPECT_TRUE(is_numbered(1, 1));
+  EXPECT_FALSE(is_numbered(1, 0));
+  EXPECT_FALSE(is_numbered(2, 1));
+}
+
 TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
 {
   const PlanReview review = reviewOf(

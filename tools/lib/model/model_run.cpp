@@ -294,7 +294,9 @@ makeModel(const ModelSettings& settings,
   if (!seen.empty())
     record.stages.push_back(colouring);
   record.stages.push_back(timed("writing", [&](StageReport& report) {
-    const PlanFiles of_plan = planFiles(settings, chain, seen);
+    PlanFiles of_plan = planFiles(settings, chain, seen);
+    of_plan.doubted =
+        leadingSubjects(reviewOf(of_plan.document.plan, record.warnings).doubts);
     IfcModel ifc;
     const std::function<void()> files[] = {
         [&] { writePoints(folder, chain, seen, settings); },

@@ -10,8 +10,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -131,6 +133,14 @@ struct PlanReview {
  * @param plan its openings have numbers, see numberOpenings()
  * @param warnings of the stages; what is unlikely in a building is added here */
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
+
+/** @brief Returns the subjects of the doubts that head a report. */
+std::set<std::string> leadingSubjects(const std::vector<PlanDoubt>& doubts);
+
+/** @brief Returns which walls are among subjects of doubts, for drawings: see
+ * DrawingSettings::is_numbered. */
+std::function<bool(std::uint32_t, std::size_t)>
+wallsAmong(std::set<std::string> subjects);
 
 /** @brief Returns the texts of the first `most` doubts, and how many more there are.
  */
