@@ -138,6 +138,7 @@ main(int argc, char** argv)
   bool is_ceiling = false;
   std::string section;
   std::uint32_t room = 0;
+  bool has_wall_numbers = false;
   Options options("pcl_floorplan_drawing", "Draws a floor plan to scale.");
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting "
@@ -151,7 +152,7 @@ main(int argc, char** argv)
   options.text("paper", paper, "smallest paper of the sheet", paper_names);
   addSheetTexts(options, settings.texts);
   options.flag("ceiling", is_ceiling, "draw the reflected ceiling plan instead");
-  options.flag("wall-numbers", settings.wall_numbers,
+  options.flag("wall-numbers", has_wall_numbers,
                "write the numbers of walls, which warnings name");
   options.number("storey", storey, "", "draw this one only, to OUTPUT; 0: all",
                  Range::between(0, 1e6));
@@ -163,6 +164,8 @@ main(int argc, char** argv)
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {
     checkDrawingOutput(output);
+    if (has_wall_numbers)
+      settings.is_numbered = [](std::uint32_t, std::size_t) { return true; };
     const pcl::sedr::PlanDocument file = loadPlan(plan);
     const Floorplan& drawn = file.plan;
     const auto report = reportBeside(plan);

@@ -101,7 +101,8 @@ run(const Settings& settings)
   for (const auto& change : changes)
     std::cout << describe(change) << '\n';
   if (changes.empty())
-    std::cout << "nothing has changed\n";
+    std::cout << "nothing has changed by more than " << settings.compare.tolerance
+              << " m; widths of openings are not compared\n";
   if (!settings.json.empty())
     writeWhole(settings.json, changesToJson(changes, settings.compare));
   settings.picture.write([&] { return drawChanges(before, after, changes); });

@@ -205,7 +205,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   dimensions =
       placedRows(rowsAround(plan, frame.turn, settings.max_wall), box, frame, around_);
   text_settings_ = {view, usualFloor(whole, storeysOf(whole).front()),
-                    settings.wall_numbers};
+                    settings.is_numbered};
   draw(finest);
 }
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -124,7 +125,8 @@ struct PlanTexts {
 struct PlanTextSettings {
   DrawingView view = DrawingView::Floor;
   double zero = 0; ///< height of level 0, metres
-  bool wall_numbers = false;
+  std::function<bool(std::uint32_t, std::size_t)>
+      is_numbered{}; ///< see DrawingSettings
 };
 
 /** @brief Places the texts within a plan by importance: rooms, stairs, heights of

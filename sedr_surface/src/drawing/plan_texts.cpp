@@ -330,15 +330,16 @@ placedTexts(const Floorplan& plan,
         writer.writeColumn(column);
   for (const OpeningGap& opening : openings)
     writer.writeOpening(opening);
+  for (const PlanRoom& room : plan.rooms)
+    for (std::size_t e = 0; settings.is_numbered && e < room.boundary.elements.size();
+         ++e)
+      if (settings.is_numbered(room.id, e))
+        writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
+                          std::to_string(room.id) + "." + std::to_string(e + 1),
+                          smallest_font);
   for (const WallFace& face : wallFaces(plan))
     if (!isGuess(plan, face))
       writer.writeSize(elementOf(plan, face));
-  for (const PlanRoom& room : plan.rooms)
-    for (std::size_t e = 0; settings.wall_numbers && e < room.boundary.elements.size();
-         ++e)
-      writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
-                        std::to_string(room.id) + "." + std::to_string(e + 1),
-                        smallest_font);
   return std::move(writer.found);
 }
 

@@ -145,16 +145,20 @@ public:
     }
   }
 
-  std::vector<PlanDoubt> sorted()
+  /** @brief Moves the doubts into a review, and what puts nothing at stake in
+   * particular into its remarks. */
+  void moveTo(PlanReview& review)
   {
-    std::vector<PlanDoubt> doubts;
+    std::vector<PlanDoubt>& doubts = review.doubts;
     for (Draft& draft : drafts_) {
       draft.doubt.text = textOf(draft);
-      doubts.push_back(std::move(draft.doubt));
+      if (draft.doubt.subject.empty() && draft.doubt.extent == Stake::None)
+        review.remarks.push_back(std::move(draft.doubt.text));
+      else
+        doubts.push_back(std::move(draft.doubt));
     }
     std::stable_sort(doubts.begin(), doubts.end(),
                      [](const auto& a, const auto& b) { return a.stake > b.stake; });
-    return doubts;
   }
 
 private:
@@ -360,9 +364,29 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
     for (const PlanWarning& warning : list)
       doubts.add(warning);
   doubts.add(review);
-  review.doubts = doubts.sorted();
+  doubts.moveTo(review);
   judge(plan, review);
   return review;
+}
+
+std::set<std::string>
+leadingSubjects(const std::vector<PlanDoubt>& doubts)
+{
+  std::set<std::string> subjects;
+  for (std::size_t k = 0; k < std::min(leading_doubts, doubts.size()); ++k)
+    subjects.insert(doubts[k].subject);
+  return subjects;
+}
+
+std::function<bool(std::uint32_t, std::size_t)>
+wallsAmong(std::set<std::string> subjects)
+{
+  return [subjects = std::move(subjects)](std::uint32_t room, std::size_t e) {
+    PlanWarning wall;
+    wall.room = room;
+    wall.wall = e + 1;
+    return subjects.count(subjectOf(wall)) > 0;
+  };
 }
 
 std::vector<std::string>

@@ -155,6 +155,29 @@ TEST(PlanReview, WhatIsConfirmedIsNoDoubt)
   EXPECT_EQ(review.openings[0].right(), 1);
 }
 
+TEST(PlanReview, WhatIsOfTheWholeWithoutAStakeIsARemarkAndNoPlace)
+{
+  const PlanReview review =
+      reviewOf(measuredRoom(), {{WarningKind::Levelled, {1.2, 30}, 0, 0, "as asked"},
+                                {WarningKind::Noise, {2}},
+                                {WarningKind::Tilted, {2}, 1}});
+  ASSERT_EQ(review.remarks.size(), 1u);
+  EXPECT_TRUE(says(review.remarks[0], "the scan is tilted by 1.20 degrees"));
+  ASSERT_EQ(review.doubts.size(), 2u);
+  EXPECT_EQ(review.doubts[0].kinds, std::vector<WarningKind>{WarningKind::Noise});
+  EXPECT_EQ(review.doubts[1].subject, "room 1");
+}
+
+TEST(PlanReview, OnlyWallsThatADoubtNamesAreNumberedOnDrawings)
+{
+  Floorplan plan = measuredRoom();
+  hideWall(plan, 2);
+  const auto is_numbered = wallsAmong(leadingSubjects(reviewOf(plan, {}).doubts));
+  EXPECT_TRUE(is_numbered(1, 1));
+  EXPECT_FALSE(is_numbered(1, 0));
+  EXPECT_FALSE(is_numbered(2, 1));
+}
+
 TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
 {
   const PlanReview review = reviewOf(

@@ -62,6 +62,7 @@ def sample_report():
             "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
             "noise": [{"rooms": [1, 2], "measured": 0.0052, "correlation": 0.12, "stretches": 9}],
             "verdict": {"verdict": "check", "checks": 2, "shown": 10, "text": "check these 2 places before you hand it over"},
+            "remarks": ["the scan is tilted"],
             "doubts": [{"subject": "room 1", "room": 1, "at": [0.75, 2.5], "stake": 2, "kinds": ["stage"], "text": "look at room 1: <b>a part</b>"},
                        {"subject": "wall 2.3", "room": 2, "at": [4.75, 0.5], "stake": 1, "kinds": ["stage"], "text": "look at wall 2.3: second"},
                        {"subject": "", "room": 0, "at": None, "stake": 0, "kinds": ["strays"], "text": "strays were left out"}]}
@@ -316,6 +317,7 @@ class ReportInABrowser(BrowserCase):
 
     def test_what_is_doubted_is_told_as_the_report_has_it(self):
         words = self.words(self.open(), "#check")
+        self.assertRegex(words, "(?s)hand it over.*The scan is tilted\\..*look at room 1", "what is of the whole comes before places")
         self.assertIn("Check these 2 places before you hand it over.", words)
         self.assertIn("look at room 1: <b>a part</b>", words)
         self.assertIn("2.00 m² at stake", words)
@@ -466,12 +468,26 @@ class OtherReportsInABrowser(BrowserCase):
         without_edges = {**door, "number": 8, "start": [4.1, 2.2], "end": [4.1, 2.9]}
         plan = {**sample_plan(), "openings": [door, without_edges]}
         told = [{"number": "D8", "width_is": "", "width_error": 0.0}, {"number": "D7", "width_is": "between rims", "width_error": 0.0213}]
-        browser = self.shown(plan=plan, openings=told)
+        certainty = {"openings": {"columns": ["element", "area", "within_1cm", "within_3cm", "within_5cm"], "rows": [["D7", 2, 0.1, 0.4, 0.55]]}}
+        browser = self.shown(plan=plan, openings=told, certainty=certainty)
+        self.expect_row(browser, "openings", "D7", {"sure": "55\u00a0%"})  # as doubts tell it, not the probability of its kind
         self.expect_row(browser, "openings", "D7", {"walls": "1.2, 2.4", "at x, y, m": "4.1, 1.5", "width is": "between rims",
                                                     "its standard error, cm": "2.1"})
         self.expect_row(browser, "openings", "D8", {"width is": "", "its standard error, cm": ""})
         # As it was written before:
         self.expect_row(self.shown(plan=plan), "openings", "D7", {"width is": "", "its standard error, cm": ""})
+
+    def test_what_somebody_confirmed_is_told_and_ticked_on_the_plan(self):
+        plan = sample_plan()
+        plan["rooms"][0]["boundary"][1]["confirmed"] = True
+        plan["openings"] = [{"kind": "door", "number": 7, "rooms": [1, 2], "walls": [], "start": [4.1, 1], "end": [4.1, 2], "bottom": 0, "top": 2,
+                             "depth": 0.2, "hinge": "unknown", "state": "closed", "confidence": 0.9, "residual": 0.01, "confirmed": True}]
+        browser = self.shown(plan=plan)
+        self.assertIn("Somebody looked and confirmed: wall 1.2, door D7.", self.words(browser, "#check"))
+        self.expect_row(browser, "openings", "D7", {"sure": "confirmed"})
+        self.assertEqual(browser.run("[...document.querySelectorAll('#plan .mark.fine')].map(mark => mark.title)"),
+                         ["wall 1.2 is confirmed", "door D7 is confirmed"])
+        self.assertNotIn("confirmed", self.words(self.shown(), "#check"))
 
     def test_schedules_have_units(self):
         rooms = {"columns": ["room", "area_m2", "area_above_2.0m_m2", "walls_measured_percent"], "rows": [["1", "11.750", "9.000", "38"]]}

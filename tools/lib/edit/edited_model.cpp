@@ -366,12 +366,13 @@ editModel(const std::string& path, const EditPlan& edit)
   PlanEditor editor(before, document.max_wall);
   const std::vector<std::string> edits = edit(editor);
   document.plan = editor.getFloorplan();
+  const Untouched untouched(before, document.plan);
+  std::vector<PlanWarning> warnings = carriedWarnings(model.report, untouched, edits);
+  model.files.doubted = leadingSubjects(reviewOf(document.plan, warnings).doubts);
   model.writePlan();
   const std::string ending = nextEnding(path);
   model.write("floorplan.json" + ending, model.plan_text);
   model.write("report.json" + ending, model.report_text);
-  const Untouched untouched(before, document.plan);
-  std::vector<PlanWarning> warnings = carriedWarnings(model.report, untouched, edits);
   std::vector<PlanWarning> of_files = model.extrusion.getWarnings();
   for (const RoomSolidReport& solid : model.extrusion.getReports())
     if (!solid.problem.empty())
@@ -392,6 +393,9 @@ undoEdit(const std::string& path)
 {
   const std::string ending = nextEnding(path).substr(1); // the one before
   EditedModel model(path, ending.empty() ? "~" : ending);
+  const Json doubts = model.report.value("doubts", Json::array());
+  for (std::size_t k = 0; k < std::min(leading_doubts, doubts.size()); ++k)
+    model.files.doubted.insert(doubts[k].value("subject", ""));
   model.writePlan();
   model.write("floorplan.json", model.plan_text);
   return model.finish({"floorplan.json" + ending, "report.json" + ending});

@@ -294,7 +294,9 @@ makeModel(const ModelSettings& settings,
   if (!seen.empty())
     record.stages.push_back(colouring);
   record.stages.push_back(timed("writing", [&](StageReport& report) {
-    const PlanFiles of_plan = planFiles(settings, chain, seen);
+    PlanFiles of_plan = planFiles(settings, chain, seen);
+    of_plan.doubted =
+        leadingSubjects(reviewOf(of_plan.document.plan, record.warnings).doubts);
     IfcModel ifc;
     const std::function<void()> files[] = {
         [&] { writePoints(folder, chain, seen, settings); },
@@ -317,10 +319,12 @@ makeModel(const ModelSettings& settings,
   std::string problem;
   if (settings.report)
     problem = writeReportPage(settings, folder);
-  const std::vector<std::string> doubts = firstOf(review.doubts);
+  std::vector<std::string> told = review.remarks;
+  for (std::string& line : firstOf(review.doubts))
+    told.push_back(std::move(line));
   const std::string summary = summaryOf(record, chain) + "\n" + review.text;
   folder.exchange(); // what follows needs no memory to speak of
-  for (const std::string& line : doubts)
+  for (const std::string& line : told)
     warn(line);
   std::cout << summary << std::endl;
   if (!problem.empty())

@@ -251,6 +251,7 @@ setPlan(Json& report,
   report["certainty"] = {{"walls", certaintyOf(review.walls, wallSigns())},
                          {"openings", certaintyOf(review.openings, openingSigns())}};
   report["warnings"] = warningsOf(warnings);
+  report["remarks"] = review.remarks;
   report["doubts"] = doubtsOf(review.doubts);
   report["verdict"] = verdictOf(review);
   return review;

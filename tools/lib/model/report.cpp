@@ -309,6 +309,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain, PlanReview& review
   Json json{{"format", format_name},
             {"version", format_version},
             {"verdict", nullptr}, // reserves its position, as others do
+            {"remarks", nullptr},
             {"doubts", nullptr},
             {"files", run.files},
             {"input", inputOf(run)},

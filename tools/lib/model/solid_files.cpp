@@ -7,6 +7,7 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/plan_review.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <filesystem>
@@ -216,6 +217,7 @@ writeDrawings(const OutputFolder& folder, const PlanFiles& files)
   settings.texts = files.texts;
   settings.max_wall = document.max_wall;
   settings.origin = document.origin;
+  settings.is_numbered = wallsAmong(files.doubted);
   std::vector<DrawingSheet> sheets = allDrawings(document.plan);
   settings.sections = sectionsOf(sheets);
   for (DrawingSheet& sheet : sheets)

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,7 +88,8 @@ struct PlanFiles {
   std::vector<SolidElement> elements;
   std::vector<SeenColour> colours; ///< of the elements; empty: those of their labels
   SheetTexts texts;
-  unsigned threads = 0; ///< 0: all processors
+  unsigned threads = 0;            ///< 0: all processors
+  std::set<std::string> doubted{}; ///< subjects of doubts whose walls drawings number
 };
 
 /** @brief Returns their names, without those of several storeys. */

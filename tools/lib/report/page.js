@@ -64,12 +64,23 @@
 
   // ---- Doubts ----
 
-  const marks = []; // places of doubts, drawn on the plan
+  const marks = []; // places of doubts and of what was confirmed, drawn on the plan
+
+  const markOf = door => door.number ? ({ door: 'D', window: 'W', passage: 'P' }[door.kind] || 'O') + door.number : '';
+
+  // What somebody looked at and found right: names, rooms and places.
+  function confirmed() {
+    const named = (name, room, { start, end }) => ({ number: '✓', text: name + ' is confirmed', name, room, at: [0, 1].map(k => (start[k] + end[k]) / 2) });
+    const walls = plan.rooms.flatMap(room => (room.boundary || []).map((wall, k) => wall.confirmed && named(`wall ${room.id}.${k + 1}`, room.id, wall)));
+    const openings = (plan.openings || []).map(door => door.confirmed && named(`${door.kind} ${markOf(door)}`, Math.max(...door.rooms), door));
+    return [...walls, ...openings].filter(Boolean);
+  }
 
   // What puts most at stake comes first; report.json says how many to show.
   function check(section) {
     const list = section.querySelector('ul'), all = report.doubts || [], { text, shown = all.length } = report.verdict || {};
     if (text) section.querySelector('.verdict').append(text[0].toUpperCase() + text.slice(1) + '.');
+    list.before(...(report.remarks || []).map(remark => make('p', { class: 'remark' }, remark[0].toUpperCase() + remark.slice(1) + '.')));
     const item = ({ text, stake }, ...more) => make('li', {}, text, ...more,
       ...(stake ? [make('span', { class: 'remedy' }, `${number(stake, 2)}\u00a0m² at stake`)] : []));
     for (const told of all.slice(0, shown)) {
@@ -79,6 +90,10 @@
     if (all.length > shown)
       list.append(make('li', {}, make('details', {}, make('summary', {}, `${all.length - shown} more places where less is at stake`),
         make('ul', {}, ...all.slice(shown).map(told => item(told))))));
+    const right = confirmed();
+    marks.push(...right);
+    if (right.length)
+      list.append(make('li', { class: 'fine' }, 'Somebody looked and confirmed: ' + right.map(({ name }) => name).join(', ') + '.'));
     if (!all.length)
       list.append(report.verdict ? make('li', { class: 'fine' }, 'Nothing is doubted.') : make('li', {}, 'There is no report.json that tells what to doubt.'));
     return true;
@@ -147,7 +162,7 @@
       for (const { number, at, room, text } of marks)
         if (!room || drawing.rooms.includes(room)) {
           const [x, y] = freePlace(taken, onSheet(drawing, at));
-          sheet.append(make('span', { class: 'mark', title: text, style: `left:${100 * x}%;top:${100 * y}%` }, String(number)));
+          sheet.append(make('span', { class: number === '✓' ? 'mark fine' : 'mark', title: text, style: `left:${100 * x}%;top:${100 * y}%` }, String(number)));
         }
       section.querySelector('.plans').append(sheet);
     }
@@ -180,7 +195,8 @@
 
   function openings(section) {
     const found = plan.openings || [], name = room => room ? 'room ' + room : 'outside';
-    const markOf = door => door.number ? ({ door: 'D', window: 'W', passage: 'P' }[door.kind] || 'O') + door.number : '';
+    const { columns = [], rows = [] } = (report.certainty || {}).openings || {};
+    const sure = door => (rows.find(row => row[0] === markOf(door)) || [])[columns.indexOf('within_5cm')];
     const told = door => (report.openings || []).find(row => row.number === markOf(door)) || {};
     const length = door => Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]);
     if (found.length)
@@ -191,7 +207,7 @@
         ['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)],
         ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2) + (door.rooms.includes(0) ? ' at least' : '')],
         ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
-        ['probability of kind', door => percent(door.confidence)], ['width is', door => told(door).width_is || ''],
+        ['sure', door => door.confirmed ? 'confirmed' : percent(sure(door))], ['width is', door => told(door).width_is || ''],
         ['its standard error, cm', door => told(door).width_error > 0 ? number(100 * told(door).width_error, 1) : '']], found));
     return found.length > 0;
   }

@@ -10,12 +10,15 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
+#include <pcl/sedr_surface/plan_review.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -80,14 +83,17 @@ colours()
 /** @brief Returns a sheet of each storey, by its name. Sheets are small, so that their
  * letters are large on a page. */
 Json
-drawings(const PlanDocument& file)
+drawings(const PlanDocument& file, const Json& report)
 {
   const Floorplan& plan = file.plan;
   Json sheets = Json::array();
   DrawingSettings settings;
   settings.max_wall = file.max_wall;
   settings.paper = PaperSize::A4;
-  settings.wall_numbers = true; // doubts name them
+  std::set<std::string> doubted;
+  for (const Json& doubt : report.value("doubts", Json::array()))
+    doubted.insert(doubt.value("subject", ""));
+  settings.is_numbered = wallsAmong(std::move(doubted));
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
     settings.storey = storeys.size() > 1 ? &storey : nullptr;
@@ -150,13 +156,13 @@ pageData(const std::string& path, const PageSettings& settings)
     json["plan"] = Json::parse(textOfFile(folder.file("floorplan.json")));
     if (json["plan"].contains("doorways")) // of an earlier version: openings now
       json["plan"] = Json::parse(documentToJson(file));
-    json["drawings"] = drawings(file);
     if (!tellsOf(folder.report(), plan)) {
       const char* const text =
           "floorplan.json is not the plan that report.json tells of: the report's "
           "figures are left out, and solid, mesh and points may be of the earlier plan";
       json["report"] = {{"doubts", {{{"text", text}}}}};
     }
+    json["drawings"] = drawings(file, json["report"]);
   }
   const TriangleMesh mesh = folder.mesh("mesh.ply"); // triangles face into the rooms
   const TriangleMesh solid = folder.mesh("solid.ply");

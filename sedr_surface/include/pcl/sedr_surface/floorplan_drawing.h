@@ -52,7 +52,9 @@ struct DrawingSettings {
   Origin origin{};                       ///< origin of the coordinates
   PaperSize paper = PaperSize::A3;       ///< larger if the given scale needs it
   DrawingView view = DrawingView::Floor; ///< of plans; sections have none
-  bool wall_numbers = false; ///< write those of walls, as warnings name them
+  /** Whether to write the number of a wall, as doubts name it: PlanRoom::id, index of
+   * the element. Empty: none. */
+  std::function<bool(std::uint32_t, std::size_t)> is_numbered{};
   SheetTexts texts{};
   /** Whether nobody saw a place of a wall, which elevations hatch: PlanRoom::id, index
    * of the element, metres from its start, height. Empty: nothing is known. */

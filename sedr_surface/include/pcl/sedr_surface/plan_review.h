@@ -10,8 +10,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -111,8 +113,9 @@ enum class ReviewVerdict { HandOver, Check, ScanAgain };
 struct PlanReview {
   std::vector<Certainty> walls;
   std::vector<Certainty> openings;
-  std::vector<PlanDoubt> doubts;  ///< one a place; what puts most at stake comes first
-  std::array<double, 3> within{}; ///< expected shares of the walls' area; 1: no walls
+  std::vector<PlanDoubt> doubts; ///< one a place; what puts most at stake comes first
+  std::vector<std::string> remarks; ///< on the whole, with no place to look at
+  std::array<double, 3> within{};   ///< expected shares of the walls' area; 1: no walls
   ReviewVerdict verdict = ReviewVerdict::HandOver;
   std::size_t checks = 0; ///< as many doubts to look at, the first ones
   std::string text;       ///< the verdict, a sentence
@@ -123,12 +126,21 @@ struct PlanReview {
  * Warnings of one wall, opening or room at one place are one doubt, and so are walls
  * and openings that are less than 90 % sure. So many of the first ten are to be checked
  * that the rest puts 2 % of walls and floors at stake and has no wall or opening among
- * these ten that is rather wrong than right, nor a room without a way in; if all but unit and up put more than a tenth at
- * stake, scanning again is better. A room and its walls count once.
- * Odds of walls and openings are fitted, see Certainty, and those of common warnings.
+ * these ten that is rather wrong than right, nor a room without a way in; if all but
+ * unit and up put more than a tenth at stake, scanning again is better. A room and its
+ * walls count once. Odds of walls and openings are fitted, see Certainty, and those of
+ * common warnings.
  * @param plan its openings have numbers, see numberOpenings()
  * @param warnings of the stages; what is unlikely in a building is added here */
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
+
+/** @brief Returns the subjects of the doubts that head a report. */
+std::set<std::string> leadingSubjects(const std::vector<PlanDoubt>& doubts);
+
+/** @brief Returns which walls are among subjects of doubts, for drawings: see
+ * DrawingSettings::is_numbered. */
+std::function<bool(std::uint32_t, std::size_t)>
+wallsAmong(std::set<std::string> subjects);
 
 /** @brief Returns the texts of the first `most` doubts, and how many more there are.
  */
