@@ -334,9 +334,13 @@ placedTexts(const Floorplan& plan,
     for (std::size_t e = 0; settings.is_numbered && e < room.boundary.elements.size();
          ++e)
       if (settings.is_numbered(room.id, e))
-        writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
-                          std::to_string(room.id) + "." + std::to_string(e + 1),
-                          smallest_font);
+        for (const char* const what :
+             {"wall ", "#"}) // so that it is not read as a length
+          if (writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
+                                what + std::to_string(room.id) + "." +
+                                    std::to_string(e + 1),
+                                smallest_font))
+            break;
   for (const WallFace& face : wallFaces(plan))
     if (!isGuess(plan, face))
       writer.writeSize(elementOf(plan, face));

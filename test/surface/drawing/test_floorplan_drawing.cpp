@@ -234,12 +234,12 @@ TEST(FloorplanDrawing, OnlyWallsThatAreAskedForHaveNumbers)
 {
   DrawingSettings settings;
   const Floorplan plan = planOf(rectangle(0, 0, 8, 6));
-  EXPECT_FALSE(says(svgOf(plan, settings), ">1.3<"));
+  EXPECT_FALSE(says(svgOf(plan, settings), ">wall 1.3<"));
   settings.is_numbered = [](std::uint32_t room, std::size_t e) {
     return room == 1 && e == 2;
   };
-  EXPECT_TRUE(says(svgOf(plan, settings), ">1.3<"));
-  EXPECT_FALSE(says(svgOf(plan, settings), ">1.2<"));
+  EXPECT_TRUE(says(svgOf(plan, settings), ">wall 1.3<"));
+  EXPECT_FALSE(says(svgOf(plan, settings), ">wall 1.2<"));
 }
 
 TEST(FloorplanDrawing, TextsWithoutSpaceAreLeftOut)
