@@ -6,6 +6,8 @@
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 
+#include <pcl/sedr_segmentation/building.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -112,6 +114,7 @@ public:
                const std::vector<int>& indices,
                const std::vector<Eigen::Vector3d>& stations,
                const Eigen::Matrix3d& turn,
+               const Eigen::Matrix3d& to_building,
                bool may_be_in_feet,
                const Priors& priors,
                unsigned threads)
@@ -121,7 +124,8 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         axes.row(static_cast<Eigen::Index>(k)) =
             (i < 3 ? 1 : foot) *
-            turn.row(static_cast<Eigen::Index>((i % 3 + 1 + k) % 3));
+            (i % 3 == 2 ? to_building : turn)
+                .row(static_cast<Eigen::Index>((i % 3 + 1 + k) % 3));
       air_[i / 3][i % 3] = airAlong(points, indices, axes, stations, priors);
     });
   }
@@ -239,7 +243,11 @@ doubtOfUp(const PointView& points,
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  const AirAlongAxes air(points, indices, stations, turn, !known.unit, priors, threads);
+  // In the frame of the building the answer does not depend on how the scan lies.
+  const Eigen::Matrix3d to_building =
+      findBuildingFrame(points, indices, threads, turn).rotation;
+  const AirAlongAxes air(points, indices, stations, turn, to_building, !known.unit,
+                         priors, threads);
   const auto upOf = [&](const Direction& up) -> Eigen::Vector3d {
     return up.sign * turn.row(static_cast<Eigen::Index>(up.axis));
   };

@@ -69,6 +69,21 @@ namedTurn(const std::string& sentence)
   return Eigen::AngleAxisd(angle, Eigen::Vector3d(x, y, z).normalized());
 }
 
+TEST(ScanUp, DoesNotDependOnHowAScanLies)
+{
+  const auto natsOf = [](double yaw) {
+    const Eigen::Matrix3d upside_down =
+        (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+    return doubtOf(rotated(flat(), upside_down)).nats;
+  };
+  const double nats = natsOf(0);
+  EXPECT_GT(nats, UpDoubt::certain);
+  for (const double yaw : {0.1, 0.3, 0.5, 0.7, 1.2})
+    EXPECT_NEAR(natsOf(yaw), nats, 0.5) << yaw;
+}
+
 TEST(ScanUp, OfAFlatIsToldInEachOfSixDirectionsWithTheTurnThatMendsIt)
 {
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
