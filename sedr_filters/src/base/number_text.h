@@ -42,7 +42,14 @@ decimalText(double value, int decimals)
              : result;
 }
 
-/** @brief As above, without trailing zeros. */
+/** @brief Formats a share in whole percent. */
+inline std::string
+percentText(double share)
+{
+  return decimalText(100 * share, 0) + " %";
+}
+
+/** @brief Formats a number with fixed decimals, without trailing zeros. */
 inline std::string
 shortDecimalText(double value, int decimals)
 {

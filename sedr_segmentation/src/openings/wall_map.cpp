@@ -348,9 +348,7 @@ WallMap::findOffsets(const PlanElement& line)
   constexpr float nothing = -std::numeric_limits<float>::infinity();
   offsets_.assign(cells_.size(), nothing);
   farthest_.assign(cells_.size(), 0);
-  ceiling_behind_.assign(columns_, 0);
-  std::vector<std::vector<float>> at_ceiling(columns_);
-  ceiling_before_.assign(columns_, -nothing);
+  ceiling_ = CeilingBeside(columns_, edge);
   for (const SidePoint& p : points_) {
     const float offset = p.offset + static_cast<float>(centre_);
     const auto c = static_cast<std::size_t>(std::max(p.along, 0.0F) / cell_);
@@ -358,9 +356,7 @@ WallMap::findOffsets(const PlanElement& line)
         p.height > ceilings_[c] + opening_numbers.on_face)
       continue;
     if (p.height > ceilings_[c] - opening_numbers.on_face) {
-      at_ceiling[c].push_back(offset);
-      if (offset > edge)
-        ceiling_before_[c] = std::min(ceiling_before_[c], offset);
+      ceiling_.add(c, offset);
       continue;
     }
     const std::size_t i = indexOf(p);
@@ -374,38 +370,7 @@ WallMap::findOffsets(const PlanElement& line)
     else if (offset > 0 ? nearest < 0 || nearest > offset : nearest < offset)
       nearest = offset;
   }
-  for (std::size_t c = 0; c < columns_; ++c) {
-    std::vector<float> near; // a column may be sparse
-    for (std::size_t k = c - std::min<std::size_t>(c, 1); k < std::min(c + 2, columns_);
-         ++k)
-      near.insert(near.end(), at_ceiling[k].begin(), at_ceiling[k].end());
-    const double way = wayBehind(std::move(near));
-    ceiling_behind_[c] =
-        way > std::max(Priors().min_wall, noise) ? static_cast<float>(way) : 0;
-  }
-}
-
-/** @brief Returns how far behind the surface points of a ceiling go on, metres, without
- * an interruption that may be a wall: as wide as the thinnest one, and half as wide
- * again as all before the surface.
- * @param offsets of the points, before the surface and behind it */
-double
-WallMap::wayBehind(std::vector<float> offsets) const
-{
-  std::sort(offsets.begin(), offsets.end(), std::greater<>());
-  double widest = Priors().min_wall;
-  double last = opening_numbers.ceiling_before;
-  for (const float offset : offsets) {
-    if (offset > opening_numbers.ceiling_before)
-      continue;
-    const double gap = last - static_cast<double>(offset);
-    if (offset >= 0)
-      widest = std::max(widest, 1.5 * gap);
-    else if (gap > widest)
-      break;
-    last = offset;
-  }
-  return widest < opening_numbers.usual_wall ? std::max(0.0, -last) : 0;
+  ceiling_.measure(noise);
 }
 
 /** @brief Makes cells without points between seen ones of a row seen where the gap is

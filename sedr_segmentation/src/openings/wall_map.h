@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ceiling_beside.h"
 #include "wall_sides.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
@@ -92,13 +93,8 @@ public:
     return farthest_[column * rows_ + row];
   }
 
-  /** @brief Returns how far the ceiling goes on behind the surface, metres: a wall
-   * interrupts it for its thickness, what stands before one does not. */
-  float ceilingBehind(std::size_t column) const { return ceiling_behind_[column]; }
-
-  /** @brief Returns how far before the surface lies what is nearest to it at the height
-   * of the ceiling, metres. */
-  float ceilingBefore(std::size_t column) const { return ceiling_before_[column]; }
+  /** @brief Returns the ceiling before and behind the surface, by columns. */
+  const CeilingBeside& ceiling() const { return ceiling_; }
 
   /** @brief Returns up to which distance from floor and ceiling points are theirs,
    * metres. */
@@ -131,7 +127,6 @@ private:
              const std::vector<SightLine>& rays,
              const std::vector<SidePoint>& of_leaves);
   void findOffsets(const PlanElement& line);
-  double wayBehind(std::vector<float> offsets) const;
   void follow(const WallSide& side,
               const SightLine& ray,
               std::vector<std::uint32_t>& through,
@@ -158,8 +153,7 @@ private:
   std::vector<WallCell> cells_;
   std::vector<float> offsets_;
   std::vector<float> farthest_;
-  std::vector<float> ceiling_behind_;
-  std::vector<float> ceiling_before_;
+  CeilingBeside ceiling_;
 };
 
 } // namespace pcl::sedr

@@ -127,7 +127,7 @@ public:
   {
     std::vector<CellValue> ways;
     for (std::size_t c = 0; c < map_.columns(); ++c)
-      if (const double way = map_.ceilingBehind(c); way > 0)
+      if (const double way = map_.ceiling().behind(c); way > 0)
         add(c, 0, side_.ceiling - off_wall, -way, ways);
     const Patches found(ways, map_.cell(), min_strip * map_.cell());
     const double length = found.area / map_.cell();
@@ -149,7 +149,7 @@ public:
       if (s < from_ + off_wall || s > to_ - off_wall || part < 0 ||
           room.details[static_cast<std::size_t>(part)].is_facet)
         continue;
-      double gap = map_.ceilingBefore(c);
+      double gap = map_.ceiling().before(c);
       if (!std::isfinite(gap)) // nothing of the part was seen there
         for (gap = off_wall; gap < OpeningSizes().before &&
                              room.detailAt(at + gap * side_.line.normalAt(s)) == part;)

@@ -38,12 +38,6 @@ constexpr std::size_t min_points = 100;
 // Surface farther from all points is inferred, metres; at least four spacings.
 constexpr double support_distance = 0.3;
 
-std::string
-percent(double share)
-{
-  return std::to_string(std::lround(100 * share)) + " %";
-}
-
 Eigen::Vector3d
 centroidOf(const std::vector<OrientedPoint>& points)
 {
@@ -205,12 +199,12 @@ judge(double far_area, double support, RoomPoissonReport& report)
   if (report.unsupported_share > max_unsupported) {
     report.closed = false;
     report.problem =
-        "the points enclose nothing: " + percent(report.unsupported_share) +
+        "the points enclose nothing: " + percentText(report.unsupported_share) +
         " of its surface lies further than " + shortDecimalText(support, 3) +
         " m from all of them";
   }
   else if (report.unsupported_share > much_unsupported)
-    report.warning = percent(report.unsupported_share) +
+    report.warning = percentText(report.unsupported_share) +
                      " of its surface is a guess, further than " +
                      shortDecimalText(support, 3) + " m from all points";
   const auto left_out = static_cast<double>(report.removed_triangles);
@@ -221,7 +215,7 @@ judge(double far_area, double support, RoomPoissonReport& report)
     report.warning +=
         (report.warning.empty() ? "its points have " : "; its points have ") +
         std::to_string(report.removed_components + 1) +
-        " surfaces, of which only the largest is kept: " + percent(share) +
+        " surfaces, of which only the largest is kept: " + percentText(share) +
         " of the triangles are left out";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unlikely_places.h"
+#include "verdict.h"
 
 #include "../sheet/text_places.h"
 #include "sedr_filters/src/base/number_text.h"
@@ -21,14 +22,6 @@ constexpr double sure = 0.9;             // probability of what is not doubted
 constexpr std::size_t measured_sign = 1; // see wallSigns()
 constexpr std::size_t error_sign = 3;
 constexpr double same_place = 1; // metres
-constexpr double little = 0.02;  // share of walls and floors, after the checks
-constexpr double too_much = 0.1; // likewise, of all that a new scan settles
-
-std::string
-percent(double share)
-{
-  return decimalText(100 * share, 0) + " %";
-}
 
 std::string
 subjectOf(const PlanOpening& opening)
@@ -43,7 +36,7 @@ reasonOf(const PlanElement& wall, const std::vector<double>& signs)
 {
   const SurfaceAccuracy& accuracy = wall.accuracy;
   return "it is " + decimalText(wall.length(), 2) + " m long, " +
-         percent(signs[measured_sign]) + " of it was measured" +
+         percentText(signs[measured_sign]) + " of it was measured" +
          (accuracy.isKnown()
               ? ", with a standard error of " +
                     decimalText(1000 * accuracy.standard_error, 1) + " mm"
@@ -80,15 +73,6 @@ bool
 isLengthAndHeight(const PlanWarning& warning)
 {
   return warning.values.size() > 1 && warning.kind == WarningKind::NoOpening;
-}
-
-double
-areaOf(const Floorplan& plan)
-{
-  double area = 0;
-  for (const PlanRoom& room : plan.rooms)
-    area += room.area();
-  return area;
 }
 
 /** @brief Checks whether somebody confirmed the wall that a warning is about. */
@@ -250,7 +234,7 @@ private:
     std::string text = draft.act;
     text += (text.empty() || subject.empty() ? "" : " ") + subject;
     if (draft.certainty)
-      text += ", " + percent(draft.certainty->right()) + " sure";
+      text += ", " + percentText(draft.certainty->right()) + " sure";
     for (std::size_t k = 0; k < draft.claims.size(); ++k)
       text += (k > 0 ? "; " : text.empty() ? "" : ": ") + draft.claims[k];
     return text;
@@ -260,96 +244,6 @@ private:
   std::vector<Draft> drafts_;
   std::map<std::string, std::vector<std::size_t>> of_subject_; ///< drafts
 };
-
-using DoubtIterator = std::vector<PlanDoubt>::const_iterator;
-
-/** @brief Returns the square metres that doubts put at stake, each counted once: a room
- * for what exceeds its walls, openings and parts, the plan for what exceeds its rooms.
- */
-double
-stakeOf(DoubtIterator doubt, DoubtIterator end)
-{
-  std::map<std::uint32_t, double> wholes, parts; // by room
-  double plan = 0;
-  double rooms = 0;
-  for (; doubt != end; ++doubt)
-    if (doubt->extent == Stake::Plan)
-      plan = std::max(plan, doubt->stake);
-    else if (doubt->extent == Stake::Room)
-      wholes[doubt->room] = std::max(wholes[doubt->room], doubt->stake);
-    else
-      parts[doubt->room] += doubt->stake;
-  for (const auto& [room, stake] : parts)
-    wholes[room] = std::max(wholes[room], stake);
-  for (const auto& whole : wholes)
-    rooms += whole.second;
-  return std::max(plan, rooms);
-}
-
-/** @brief Checks whether a doubt is settled by an option of the run: --unit, --up. */
-bool
-isOfFrame(const PlanDoubt& doubt)
-{
-  return std::any_of(doubt.kinds.begin(), doubt.kinds.end(), [](WarningKind kind) {
-    return kind == WarningKind::Unit || kind == WarningKind::Up;
-  });
-}
-
-/** @brief Sets expected shares, verdict and checks. */
-void
-judge(const Floorplan& plan, PlanReview& review)
-{
-  double area = 0;
-  for (const Certainty& wall : review.walls) {
-    area += wall.area;
-    for (std::size_t k = 0; k < review.within.size(); ++k)
-      review.within[k] += wall.area * wall.within[k];
-  }
-  for (double& share : review.within)
-    share = area > 0 ? share / area : 1;
-  const double all = area + areaOf(plan);
-  const auto first = review.doubts.cbegin(), end = review.doubts.cend();
-  const double at_stake = stakeOf(std::find_if_not(first, end, isOfFrame), end) / all;
-  const std::size_t most = std::min(leading_doubts, review.doubts.size());
-  double left = stakeOf(first, end) / all;
-  const auto isLikelyWrong = [&](const PlanDoubt& doubt) {
-    const std::string name = doubt.subject.substr(doubt.subject.find(' ') + 1);
-    const auto isOf = [&](const Certainty& certainty) {
-      return certainty.right() < 0.5 && certainty.element == name;
-    };
-    return std::any_of(review.walls.begin(), review.walls.end(), isOf) ||
-           std::any_of(review.openings.begin(), review.openings.end(), isOf) ||
-           std::count(doubt.kinds.begin(), doubt.kinds.end(), WarningKind::NoDoor) > 0;
-  };
-  const auto leading = first + static_cast<std::ptrdiff_t>(most);
-  for (auto next = first; next != leading; ++next)
-    if (left > little || std::any_of(next, leading, isLikelyWrong)) {
-      left = stakeOf(next + 1, end) / all;
-      ++review.checks;
-    }
-  if (at_stake > too_much) {
-    review.verdict = ReviewVerdict::ScanAgain;
-    review.text =
-        "scan again, " + percent(at_stake) + " of walls and floors are at stake";
-  }
-  else if (review.checks > 0) {
-    review.verdict = ReviewVerdict::Check;
-    review.text = "check " +
-                  (review.checks == 1
-                       ? "this place"
-                       : "the first " + std::to_string(review.checks) + " places") +
-                  " before you hand it over";
-    if (left > little)
-      review.text += " (" + percent(left) + " of walls and floors remain at stake)";
-  }
-  else
-    review.text = "hand it over";
-  if (area > 0)
-    review.text += ": " + percent(review.within[0]) +
-                   " of the walls are expected within 1 cm of the true ones, " +
-                   percent(review.within[1]) + " within 3 cm, " +
-                   percent(review.within[2]) + " within 5 cm";
-}
 
 } // namespace
 
@@ -365,7 +259,7 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
       doubts.add(warning);
   doubts.add(review);
   doubts.moveTo(review);
-  judge(plan, review);
+  setVerdict(plan, review);
   return review;
 }
 
