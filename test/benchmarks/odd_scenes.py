@@ -134,9 +134,7 @@ def one_scene(seed, folder, options):
     row.update(figures)
     row.update({"rooms": len(json.loads((folder / "truth.json").read_text(encoding="utf-8"))["rooms"]), "rooms_found": 0, "off": "", "lost": "", "named": "", "told": ""})
     if figures["exit"] == 0:
-        _, _, text = runs.run([options.bin / "pcl_mesh_evaluation", folder / "out" / "solid.ply", "--truth", folder / "truth.ply", "--json", folder / "solid.json"], 600)
-        if not (folder / "solid.json").exists():
-            raise RuntimeError(f"seed {seed}: {text}")
+        runs.output_of([options.bin / "pcl_mesh_evaluation", folder / "out" / "solid.ply", "--truth", folder / "truth.ply", "--json", folder / "solid.json"])
         solid = json.loads((folder / "solid.json").read_text(encoding="utf-8"))
         share = {k: 1 - solid[k]["within_5cm"] for k in ("truth_to_mesh", "mesh_to_truth")}
         row["off"] = round(max(share.values()), 4)

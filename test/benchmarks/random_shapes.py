@@ -26,10 +26,8 @@ def distances(folder, options):
     row = {"closed": 0, "mean_cm": "", "near": "", "max_cm": "", "triangles": ""}
     if not (folder / "out" / "solid.ply").exists():
         return row
-    code, _, text = runs.run([options.bin / "pcl_mesh_evaluation", folder / "out" / "solid.ply", "--truth", folder / "truth.ply",
-                              "--json", folder / "solid.json"], 600)
-    if code != 0:
-        raise RuntimeError(f"{folder}: {text}")
+    runs.output_of([options.bin / "pcl_mesh_evaluation", folder / "out" / "solid.ply", "--truth", folder / "truth.ply",
+                    "--json", folder / "solid.json"])
     figures = json.loads((folder / "solid.json").read_text(encoding="utf-8"))
     both = [figures["truth_to_mesh"], figures["mesh_to_truth"]]
     return {"closed": int(figures["mesh"]["closed"]), "mean_cm": round(100 * max(b["mean"] for b in both), 4),

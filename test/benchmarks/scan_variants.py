@@ -83,10 +83,7 @@ VARIANTS = {"turned_27": turned(27), "turned_45": turned(45),
 def read_points(scan, folder, options):
     """x, y, z of a scan of any format that pcl_parallel_voxel_grid reads, a point a millimetre at most."""
     file = folder / "points.pcd"
-    code, _, text = runs.run([options.bin / "pcl_parallel_voxel_grid", scan, file, "--leaf", "0.001", "--keep-strays",
-                              "--scan-axes"], options.timeout)
-    if code != 0:
-        raise RuntimeError(f"{scan}: {text}")
+    runs.output_of([options.bin / "pcl_parallel_voxel_grid", scan, file, "--leaf", "0.001", "--keep-strays", "--scan-axes"])
     points = pcd.places(pcd.read(file))
     return points[np.isfinite(points).all(1)]
 

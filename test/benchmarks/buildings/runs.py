@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scans, models and grades scenes, one by one: what random_buildings.py, random_shapes.py and others share."""
 import argparse
+import concurrent.futures
 import csv
 import importlib.util
 import json
@@ -38,9 +39,10 @@ def parser(description, things=None):
         options.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
     options.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", help="folder of the programs")
     options.add_argument("--sedr", type=pathlib.Path, help="another pcl_sedr than that of --bin")
-    options.add_argument("--options", default="", help="options of pcl_sedr beside --no-mesh, in one argument (%(default)s)")
+    options.add_argument("--options", default="", help="options of pcl_sedr, in one argument (%(default)s)")
     options.add_argument("--csv", type=pathlib.Path, help="the table; else it goes to the standard output")
     options.add_argument("--folder", type=pathlib.Path, help="where scans go while they are needed")
+    options.add_argument("--jobs", type=int, default=1, help="how many at a time (%(default)s)")
     options.add_argument("--timeout", type=float, default=600, help="seconds a run of pcl_sedr may take")
     return options
 
@@ -49,27 +51,33 @@ def run(command, timeout):
     """Exit code, seconds and the last line of the messages; 124 if the time was up."""
     start = time.monotonic()
     try:
-        done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=timeout, check=False)
+        done = subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=timeout, check=False)
         code, text = done.returncode, done.stderr.decode(errors="replace").strip()
     except subprocess.TimeoutExpired:
         code, text = 124, f"no end after {timeout:g} s"
     return code, time.monotonic() - start, text.splitlines()[-1] if text else ""
 
 
+def output_of(command):
+    """What a program prints that must not fail, within ten minutes."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace", timeout=600, check=False)
+    if done.returncode != 0:
+        raise RuntimeError((done.stderr.strip().splitlines() or [f"{command[0]} ended with {done.returncode}"])[-1])
+    return done.stdout
+
+
 def scan(scene, seed, folder, options, *more):
     """Scan and truth of a scene; the row of the table so far."""
     start = time.monotonic()
     (folder / "scene.json").write_text(json.dumps(scene), encoding="utf-8")
-    code, _, text = run([options.bin / "pcl_simulate_indoor_scan", folder / "scene.json", folder, "--seed", str(seed), *more], 600)
-    if code != 0:
-        raise RuntimeError(f"seed {seed}: {text}")
+    output_of([options.bin / "pcl_simulate_indoor_scan", folder / "scene.json", folder, "--seed", seed, *more])
     return {"seed": seed, "kind": scene["name"].rsplit("_", 1)[0], "points": (folder / "scan.pcd").stat().st_size // 20,
             "seconds_scan": round(time.monotonic() - start, 1)}
 
 
-def model(folder, options):
+def model(folder, options, *more, with_mesh=False):
     """What pcl_sedr made of the scan, as columns of the table; its results are in folder/out."""
-    command = [options.sedr or options.bin / "pcl_sedr", folder / "scan.pcd", folder / "out", "--no-mesh"]
+    command = [options.sedr or options.bin / "pcl_sedr", folder / "scan.pcd", folder / "out", *more, *([] if with_mesh else ["--no-mesh"])]
     code, seconds, text = run(command + shlex.split(options.options), options.timeout)
     return {"exit": code, "seconds": round(seconds, 1)}, text if code != 0 else ""
 
@@ -103,18 +111,24 @@ def all_seeds(options, programs, one, summary):
     all_rows(options, ["pcl_simulate_indoor_scan", *programs], range(options.first, options.last + 1), lambda *a: [one(*a)], summary)
 
 
-def all_rows(options, programs, things, rows_of, summary):
-    """Writes the table of what rows_of(thing, folder, options) gives, as it comes, and prints its summary."""
+def all_rows(options, programs, things, rows_of, summary, before=()):
+    """Writes the table of what rows_of(thing, folder, options) gives, as it comes, behind the rows that it has; prints its summary."""
     for program in [options.bin / p for p in programs] + [options.sedr or options.bin / "pcl_sedr"]:
         if not program.exists():
             sys.exit(f"{NAME}: there is no program {program}; build it, or see --bin and --sedr")
-    rows, failed = [], 0
-    table = open(options.csv, "w", newline="", encoding="utf-8") if options.csv else sys.stdout
-    for thing in things:
+    rows, failed = list(before), 0
+    table = open(options.csv, "a" if before else "w", newline="", encoding="utf-8") if options.csv else sys.stdout
+
+    def of(thing):
         with tempfile.TemporaryDirectory(dir=options.folder) as folder:
+            return list(rows_of(thing, pathlib.Path(folder), options))
+
+    pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
+    try:
+        for done in concurrent.futures.as_completed([pool.submit(of, thing) for thing in things]):
             try:
-                for row in rows_of(thing, pathlib.Path(folder), options):
-                    writer = csv.DictWriter(table, row.keys())
+                for row in done.result():
+                    writer = csv.DictWriter(table, row.keys(), lineterminator="\n")
                     if not rows:
                         writer.writeheader()
                     writer.writerow(row)
@@ -123,6 +137,8 @@ def all_rows(options, programs, things, rows_of, summary):
             except (OSError, RuntimeError, ValueError) as error:
                 print(f"{NAME}: {error}", file=sys.stderr)
                 failed += 1
+    finally:
+        pool.shutdown(cancel_futures=True)
     if rows:
         print(summary(rows))
     sys.exit(1 if failed else 0)

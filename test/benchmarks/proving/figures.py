@@ -5,9 +5,9 @@ import json
 import numpy as np
 from scipy.spatial import cKDTree
 
+from buildings.runs import output_of
 from label_grades import Grades
 from proving import meshes, pcd, plans
-from proving.programs import output_of
 
 DETAIL_ZONE = 0.10   # metres around the true details
 POINT_REACH = 0.08   # metres within which a point of the structure covers a point of the truth

@@ -1,13 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints the table of the proving ground as Markdown: proving_ground_table.py RUNS.csv... > TABLE.md
-
-RUNS.csv are files of proving_ground.py. Where a run occurs twice, the later counts. A row is a scene and a noise.
-Exit code 1: a file is no table of runs.
-"""
-import csv
-import sys
-
+"""The table of the proving ground as Markdown. A row is a scene and a noise."""
 SOLID_BARS = ("solid closed", "solid mean", "solid max", "solid volume", "solid crossing", "wall surface", "triangles", "area",
               "radius", "corners")
 MODEL_BARS = ("rooms", "closed", "components", "mean", "1 cm", "5 cm", "model > 5 cm", "details", "points > 5 cm", "covered")
@@ -20,11 +12,8 @@ What the columns mean and where the bars lie: [the proving ground](proving_groun
 """
 
 
-def read(path):
-    """The runs of a file, with their stages; a last line without line end comes from an interrupted run."""
-    with open(path, newline="", encoding="utf-8") as file:
-        lines = file.readlines()
-    runs = list(csv.DictReader((line for line in lines if line.endswith("\n")), strict=True))
+def parsed(runs):
+    """Rows of a table with their bars and stages."""
     for run in runs:
         run["bars"] = [bar for bar in run["missed_bars"].split(";") if bar]
         run["stages"] = dict(stage.split("=") for stage in run["stage_seconds"].split(";") if stage)
@@ -180,32 +169,13 @@ def summary(runs, bars):
             f"Runs that reach every bar: {len(runs) - misses(runs, 'failed', *bars)}." + (f" Missed: {text}." if text else "") + "\n")
 
 
-def table(runs):
-    latest = {tuple(run[k] for k in ("scene", "noise", "seed", "with_mesh")): run for run in runs}.values()
-    text = "<!-- SPDX-License-Identifier: BSD-3-Clause -->\n# The proving ground: figures\n"
+def text(runs):
+    """All tables of the rows of RUNS.csv."""
+    runs = parsed(runs)
+    told = "<!-- SPDX-License-Identifier: BSD-3-Clause -->\n# The proving ground: figures\n"
     for with_mesh, title in ("1", "Models"), ("0", "Structure alone, no mesh made"):
-        kind = [run for run in latest if run["with_mesh"] == with_mesh]
+        kind = [run for run in runs if run["with_mesh"] == with_mesh]
         if kind:
-            text += (f"\n## {title}\n\n" + summary(kind, MODEL_BARS) + LEGEND + run_table(kind, columns(with_mesh == "1")) +
+            told += (f"\n## {title}\n\n" + summary(kind, MODEL_BARS) + LEGEND + run_table(kind, columns(with_mesh == "1")) +
                      failures(kind) + stage_table(kind))
-    if latest:
-        text += "\n## Plans and solids\n\n" + summary(list(latest), SOLID_BARS) + "\n" + run_table(list(latest), SOLID)
-    return text
-
-
-def main():
-    files = sys.argv[1:]
-    if files in (["-h"], ["--help"]):
-        print(__doc__)
-        return
-    if not files or files[0].startswith("-"):
-        sys.exit(__doc__)
-    try:
-        text = table([run for path in files for run in read(path)])
-    except (OSError, KeyError, AttributeError, ValueError, csv.Error) as error:
-        sys.exit(f"proving_ground_table.py: no table of runs: {error!r}")
-    sys.stdout.write(text)
-
-
-if __name__ == "__main__":
-    main()
+    return told + "\n## Plans and solids\n\n" + summary(runs, SOLID_BARS) + "\n" + run_table(runs, SOLID)
