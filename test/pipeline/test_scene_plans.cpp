@@ -16,20 +16,53 @@ namespace sim = pcl::sedr::sim;
 struct ExpectedPlan {
   std::string scene;
   std::size_t rooms;
-  std::size_t walls =
-      0; ///< of one room below a ceiling of a shape; 0: not of this kind
+  std::string shape{};    ///< of a room as a scene file has it; empty: a built-in scene
+  std::size_t walls = 0;  ///< of that room
   std::size_t facets = 0; ///< of its ceiling besides the main one
   double radius = 0;      ///< of their curves; 0: none
 };
+
+constexpr const char* eight_by_five = R"("outline": {"rectangle": [[0, 0], [8, 5]]},)";
+constexpr const char* seven_by_five = R"("outline": {"rectangle": [[0, 0], [7, 5]]},)";
+
+/** @brief Returns a scene of a furnished room with a door and a window, scanned on a
+ * walk with 1 cm of noise. */
+sim::Scene
+roomOfShape(const std::string& shape)
+{
+  const std::string text = R"({
+    "format": "sedr-scene", "version": 1, "name": "room", "summary": "a room",
+    "rooms": [{
+      "name": "room", "floor": 0, )" +
+                           shape + R"(,
+      "openings": [
+        {"wall": 3, "from": 2.1, "to": 3, "head": 2.05, "depth": 0.25,
+         "leaf": {"hinge": "from", "angle": 90},
+         "lobby": {"depth": 2.4, "margin": 1.4, "height": 2.6}},
+        {"wall": 1, "from": 1.6, "to": 2.4, "sill": 0.9, "head": 2.1, "depth": 0.3,
+         "glazing": {}}],
+      "furniture": [
+        {"table": {"at": [2.6, 2.9], "size": [1.8, 0.9, 0.74]}},
+        {"chair": {"at": [2.3, 3.65]}},
+        {"block": {"wall": 2, "s": 1.2, "size": [1.4, 0.4, 0.7]}},
+        {"block": {"wall": 0, "s": 1.25, "size": [2, 1.2, 0.5]}},
+        {"lamp": {"at": [3.6, 2.2], "drop": 0.9, "radius": 0.2}}]}],
+    "outside": [
+      {"block": {"name": "ground", "at": [5, 2], "floor": -0.6, "size": [80, 80, 0.2]}},
+      {"block": {"name": "facade", "at": [4, -14], "floor": -0.4, "size": [40, 1, 8]}}],
+    "scanners": [{
+      "walk": {"path": [[1.2, 1.4], [5.2, 1.4], [3.4, 2.4], [1.2, 3.6], [1.2, 2]],
+               "count": 32, "height": 1.5, "sway": 0.04},
+      "rays": 50000, "jitter": 1, "max_range": 40, "noise": 0.01}],
+    "placement": {"yaw": -17, "shift": [6, 2, 1]}})";
+  return sim::parseScene(text, "shape");
+}
 
 /** @brief The scan of a scene, and the model of it. */
 class ScenePlan : public testing::TestWithParam<ExpectedPlan> {
 protected:
   void SetUp() override
   {
-    if (GetParam().walls > 0)
-      for (sim::Scanner& scanner : scene_.scanners)
-        scanner.noise = 0.01;
     chain_.setInputCloud(sim::cloudOf(scene_));
     ASSERT_TRUE(chain_.findStructure()) << chain_.getErrorMessage();
   }
@@ -120,10 +153,8 @@ protected:
     EXPECT_EQ(found.size(), niches);
   }
 
-  sim::Scene scene_ =
-      sim::sceneNamed(GetParam().walls > 0 ? std::string(CEILING_SCENES) + "/" +
-                                                 GetParam().scene + ".json"
-                                           : GetParam().scene);
+  sim::Scene scene_ = GetParam().shape.empty() ? sim::sceneNamed(GetParam().scene)
+                                               : roomOfShape(GetParam().shape);
   pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain_;
 };
 
@@ -144,7 +175,7 @@ TEST_P(ScenePlan, hasTheRoomsWallsHeightsAndNichesThatWereScanned)
   for (const pcl::sedr::PlanWarning& warning : chain_.getModel().warnings)
     EXPECT_TRUE(warning.kind != pcl::sedr::WarningKind::GuessedWall)
         << pcl::sedr::sentenceOf(warning);
-  if (GetParam().walls == 0)
+  if (GetParam().shape.empty())
     return;
   const pcl::sedr::PlanRoom& room = plan().rooms[0];
   EXPECT_EQ(room.boundary.elements.size(), GetParam().walls);
@@ -155,25 +186,74 @@ TEST_P(ScenePlan, hasTheRoomsWallsHeightsAndNichesThatWereScanned)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes,
-                         ScenePlan,
-                         testing::Values(ExpectedPlan{"two_storeys", 4},
-                                         ExpectedPlan{"stacked_rooms", 2},
-                                         ExpectedPlan{"split_level", 4},
-                                         ExpectedPlan{"atrium", 10},
-                                         ExpectedPlan{"niches", 1},
-                                         ExpectedPlan{"closet", 3},
-                                         ExpectedPlan{"cluttered_room", 1},
-                                         ExpectedPlan{"leaning_slab", 2},
-                                         ExpectedPlan{"round_room", 1},
-                                         ExpectedPlan{"diagonal_rooms", 2},
-                                         ExpectedPlan{"gable_attic", 1, 4, 1},
-                                         ExpectedPlan{"shed_roof", 1, 6},
-                                         ExpectedPlan{"hip_roof", 1, 4, 3},
-                                         ExpectedPlan{"barrel_vault", 1, 4, 0, 2.5},
-                                         ExpectedPlan{"segmental_vault", 1, 4, 0, 4},
-                                         ExpectedPlan{"dome", 1, 4, 1, 3},
-                                         ExpectedPlan{"jack_arches", 1, 4, 3, 1.84}),
-                         [](const auto& scene) { return scene.param.scene; });
+const std::string slope = R"({"height": 2.4, "slope": 30, "towards": )";
+
+/** @brief Returns an arch of 1.5 m from x on, 0.16 m high. */
+std::string
+archFrom(double x)
+{
+  return R"({"loop": {"rectangle": [[)" + std::to_string(x) + ", 0], [" +
+         std::to_string(x + 1.5) + R"(, 5]]}, "vault": {"at": [)" +
+         std::to_string(x + 0.75) +
+         R"(, 0], "direction": 90, "height": 0.8197916795825584, "radius": 1.84}})";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes,
+    ScenePlan,
+    testing::Values(
+        ExpectedPlan{"two_storeys", 4},
+        ExpectedPlan{"stacked_rooms", 2},
+        ExpectedPlan{"split_level", 4},
+        ExpectedPlan{"atrium", 10},
+        ExpectedPlan{"niches", 1},
+        ExpectedPlan{"closet", 3},
+        ExpectedPlan{"cluttered_room", 1},
+        ExpectedPlan{"leaning_slab", 2},
+        ExpectedPlan{"round_room", 1},
+        ExpectedPlan{"diagonal_rooms", 2},
+        ExpectedPlan{"gable_attic", 1,
+                     std::string(seven_by_five) +
+                         R"("ceiling": {"height": 0.9, "slope": 40, "towards": 90},
+          "facets": [{"loop": {"rectangle": [[0, 2.5], [7, 5]]},
+            "height": {"height": 0.9, "slope": 40, "towards": -90, "at": [0, 5]}}])",
+                     4, 1},
+        ExpectedPlan{
+            "shed_roof", 1,
+            R"("outline": [[7, 3], [4.5, 3], [4.5, 5.5], [0, 5.5], [0, 0], [7, 0]],
+          "ceiling": {"height": 2.2, "slope": 18, "towards": 0, "at": [0, 0]})",
+            6},
+        ExpectedPlan{"hip_roof", 1,
+                     seven_by_five + (R"("ceiling": )" + slope) + R"(90},
+          "facets": [
+            {"loop": [[0, 5], [2.5, 2.5], [4.5, 2.5], [7, 5]], "height": )" +
+                         slope + R"(-90, "at": [0, 5]}},
+            {"loop": [[0, 0], [2.5, 2.5], [0, 5]], "height": )" +
+                         slope + R"(0, "at": [0, 0]}},
+            {"loop": [[7, 0], [7, 5], [4.5, 2.5]], "height": )" +
+                         slope + R"(180, "at": [7, 0]}}])",
+                     4, 3},
+        ExpectedPlan{"barrel_vault", 1, std::string(eight_by_five) + R"("ceiling": 1.2,
+          "facets": [{"loop": {"rectangle": [[0, 0], [8, 5]]},
+            "vault": {"at": [0, 2.5], "direction": 0, "height": 1.2, "radius": 2.5}}])",
+                     4, 0, 2.5},
+        ExpectedPlan{"segmental_vault", 1,
+                     std::string(eight_by_five) + R"("ceiling": 2.3,
+          "facets": [{"loop": {"rectangle": [[0, 0], [8, 5]]},
+            "vault": {"at": [0, 2.5], "direction": 0, "height": -0.8224989991991993,
+                      "radius": 4}}])",
+                     4, 0, 4},
+        ExpectedPlan{"dome", 1,
+                     R"("outline": {"rectangle": [[0, 0], [6.4, 5.4]]}, "ceiling": 2.8,
+          "facets": [{"dome": {"at": [3.2, 2.7], "height": 0.56393202250021, "radius": 3,
+                               "rim": 2}}])",
+                     4, 1, 3},
+        ExpectedPlan{"jack_arches", 1,
+                     R"("outline": {"rectangle": [[0, 0], [6, 5]]}, "ceiling": 2.5,
+          "facets": [)" + archFrom(0) +
+                         ", " + archFrom(1.5) + ", " + archFrom(3) + ", " +
+                         archFrom(4.5) + "]",
+                     4, 3, 1.84}),
+    [](const auto& scene) { return scene.param.scene; });
 
 } // namespace
