@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "option_help.h"
 #include "plan_file.h"
 #include "sedr_tool_runs.h"
 
@@ -17,33 +16,6 @@ TEST_F(SedrTool, RefusesPriorsThatAreNone)
   expectFailure(onFile(scan, {"--prior", "max_wal=1"}), 1, "there is no prior max_wal");
   expectFailure(onFile(scan, {"--prior", "max_wall"}), 1, "name=value");
   expectFailure(onFile(scan, {"--prior", "max_wall=20"}), 1, "from 0.1 to 3 m");
-}
-
-TEST_F(SedrTool, BadCommandLinesAreRefused)
-{
-  expectFailure(run(SEDR, {}), 1, "INPUT is missing");
-  expectFailure(run(SEDR, {in("a.pcd")}), 1, "OUTPUT_DIR is missing");
-  expectFailure(run(SEDR, {in("a.pcd"), in("b"), in("c")}), 1, "a.pcd");
-  expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--colour"}), 1, "--colour");
-  for (const char* value : {"many", "nan", "-1", ""})
-    expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--voxel-size", value}), 1,
-                  "--voxel-size");
-  for (const auto& option : optionsIn(run(SEDR, {"-h"}).out))
-    if (option.hasRange())
-      expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--" + option.name, "-1"}), 1,
-                    "--" + option.name);
-}
-
-TEST_F(SedrTool, FilesThatAreNoCloudsAreRefused)
-{
-  expectFailure(run(SEDR, {in("missing.pcd"), in("model")}), 1, "missing.pcd");
-  expectFailure(run(SEDR, {folder_.path().string(), in("model")}), 1, "folder");
-  expectFailure(onFile(""), 1, "empty");
-  expectFailure(onFile("no cloud at all\n"), 1, "neither");
-  const std::string good = scanOf().pcd(false);
-  expectFailure(onFile(good.substr(0, good.size() - 1)), 1, "input.pcd");
-  expectFailure(onFile(good.substr(0, 60)), 1, "input.pcd");
-  expectFailure(onFile(pcdBytes({})), 1, "0 points");
 }
 
 TEST_F(SedrTool, FoldersThatCannotBeWrittenAreRefusedBeforeTheWork)

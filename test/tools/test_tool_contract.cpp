@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the programs of all stages have in common.
+// What programs have in common.
 #include "option_help.h"
 #include "stage_tools.h"
 #include "tools/pictures/pictures.h"
@@ -15,7 +15,22 @@ protected:
   ProgramRun onFile(const std::string& bytes) { return runOn(GetParam(), bytes); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Stages, ToolContract, ::testing::ValuesIn(stageTools()));
+class StageToolContract : public ToolContract {};
+
+/** The stages, and programs that read a plan or make all of a model. */
+std::vector<Tool>
+allTools()
+{
+  std::vector<Tool> tools = stageTools();
+  for (const Tool& tool :
+       {Tool{FLOORPLAN_EXTRUSION, "output.ply"}, Tool{FLOORPLAN_DRAWING, "output.svg"},
+        Tool{SEDR, "output_folder"}})
+    tools.push_back(tool);
+  return tools;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ToolContract, ::testing::ValuesIn(allTools()));
+INSTANTIATE_TEST_SUITE_P(Stages, StageToolContract, ::testing::ValuesIn(stageTools()));
 
 TEST_P(ToolContract, HelpTellsUsageAndEveryDefault)
 {
@@ -49,18 +64,19 @@ TEST_P(ToolContract, BadCommandLinesAreRefused)
     expectFailure(run(program(), arguments), 1);
 }
 
-TEST_P(ToolContract, FilesThatAreNoCloudsAreRefused)
+TEST_P(ToolContract, FilesThatAreNoInputsAreRefused)
 {
   for (const std::string& path : {in("missing.pcd"), folder_.path().string()})
     expectFailure(runTo(output(), GetParam(), path), 1);
   const std::string good = pcdBytes({{1, 2, 3}, {1, 2, 4}}, {1, 2});
   for (const std::string& bytes :
        {std::string(), std::string("no cloud at all\n"), std::string(5000, '\0'),
-        pcdBytes({}), good.substr(0, good.size() - 1), good.substr(0, 60)})
+        std::string("{}"), std::string(R"({"format": "sedr-floorplan"})"), pcdBytes({}),
+        good.substr(0, good.size() - 1), good.substr(0, 60)})
     expectFailure(onFile(bytes), 1);
 }
 
-TEST_P(ToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
+TEST_P(StageToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
 {
   writeFile(in("input.pcd"), pcdBytes({{1, 2, 3}}));
   const std::string folder = in("input_folder_" + GetParam().output);
@@ -73,7 +89,7 @@ TEST_P(ToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
                 1, "no_folder/picture.png");
 }
 
-TEST_P(ToolContract, PicturesAreTheSameEveryTime)
+TEST_P(StageToolContract, PicturesAreTheSameEveryTime)
 {
   const auto draw = [&] {
     return runOn(GetParam(), scanOf().pcd(true), {"--picture", in("picture.png")});
