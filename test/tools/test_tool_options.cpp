@@ -21,6 +21,7 @@ struct SampleOptions {
   std::optional<double> height;
   std::string mode = "auto";
   std::string title;
+  std::string day;
   bool fast = false;
   Options options{"pcl_sample", "Does something."};
 
@@ -33,6 +34,7 @@ struct SampleOptions {
     options.optionalNumber("height", height, "m", "height", "measured");
     options.text("mode", mode, "mode", {"auto", "manual"});
     options.words("title", title, "on the sheet");
+    options.date("day", day, "of the survey");
     options.flag("fast", fast, "in haste");
   }
 
@@ -121,6 +123,7 @@ TEST(ToolOptions, RefuseEachMistakeWithASentenceThatNamesIt)
            {{"a", "--leaf", "1", "--leaf", "2"}, "--leaf"},
            {{"a", "--title", "K\xfc"},
             "--title takes printable text in UTF-8, not 'K\\xfc'"},
+           {{"a", "--day", "2024-5-31"}, "a day such as 2024-05-31"},
            {{"a", "--threads", "-1"}, "-1"},
            {{"a", "--threads", "1.5"}, "whole number"},
            {{"a", "--threads", "99999999999"}, "--threads"},
