@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of a scanner that the scan contradicts.
 #include "cast_rays.h"
-#include "sedr_filters/src/rays/mirrored_points.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 
 #include <gtest/gtest.h>
-#include <pcl/point_types.h>
-#include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include <utility>
 #include <vector>
@@ -14,86 +11,29 @@
 namespace {
 
 using namespace sedr_test;
-using Eigen::Vector3d;
-using Eigen::Vector3f;
-using pcl::sedr::findMirroredPoints;
-using pcl::sedr::MirroredPoints;
-using pcl::sedr::PointView;
-using pcl::sedr::ScanPositions;
 
-/** Two rooms side by side, with a pane of 3.4 x 2 m between them, or
- * none, and a scanner in the middle of each. */
-class TwoRooms {
-public:
-  /** @param returned share of the rays that the pane returns; 1: a wall
-   * @param untrue number of scans of both rooms before these that are told to be taken
-   * from places outside */
-  explicit TwoRooms(double returned, int untrue = 0)
-      : returned_(returned)
-  {
-    for (int k = 0; k <= untrue; ++k)
-      for (const double x : {3., 9.2}) {
-        scanFrom({x, 2.4, 1.5});
-        if (k < untrue)
-          positions.back().place = Vector3f(static_cast<float>(3 * k), -20, 1.5F);
-      }
-  }
-
-  /** @param voxel edge of those that are thinned to one point; 0: all points */
-  MirroredPoints found(const ScanPositions& from, float voxel = 0) const
-  {
-    pcl::PointCloud<pcl::PointXYZ> thinned = *rows_;
-    if (voxel > 0) {
-      pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-      grid.setInputCloud(rows_);
-      grid.setLeafSize(voxel, voxel, voxel);
-      grid.filter(thinned);
+/** Both rooms, scanned from the middle of each.
+ * @param returned share of the rays that the pane returns; 1: a wall
+ * @param untrue number of scans of both rooms before these that are told to be taken
+ * from places outside */
+GlazedRooms
+twoRooms(double returned, int untrue = 0)
+{
+  GlazedRooms rooms(false);
+  rooms.returned = returned;
+  for (int k = 0; k <= untrue; ++k)
+    for (const double x : {3., 9.2}) {
+      rooms.scanFrom({x, 2.4, 1.5}, 50000);
+      if (k < untrue)
+        rooms.positions.back().place = Vector3f(static_cast<float>(3 * k), -20, 1.5F);
     }
-    return findMirroredPoints(PointView(thinned), PointView(*rows_), 1, from, 2);
-  }
-
-  ScanPositions positions;
-
-private:
-  void scanFrom(const Vector3d& place)
-  {
-    positions.push_back({rows_->size(), place.cast<float>()});
-    for (int i = 0; i < 50000; ++i)
-      see(place, anyDirection(random_));
-  }
-
-  void see(Vector3d from, const Vector3d& direction)
-  {
-    bool is_first = from.x() < middle;
-    Vector3d hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
-    const bool is_pane = std::abs(hit.x() - middle) < 0.11 && hit.y() > 0.8 &&
-                         hit.y() < 4.2 && hit.z() > 0.4 && hit.z() < 2.4;
-    if (is_pane && uniform_(random_) >= returned_) {
-      is_first = !is_first;
-      from = hit + 0.2 / std::abs(direction.x()) * direction;
-      hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
-    }
-    const Vector3f p = hit.cast<float>();
-    rows_->push_back({p.x(), p.y(), p.z()});
-  }
-
-  static Eigen::AlignedBox3d roomOf(bool is_first)
-  {
-    return is_first ? Eigen::AlignedBox3d(Vector3d(0, 0, 0), Vector3d(6, 5, 2.6))
-                    : Eigen::AlignedBox3d(Vector3d(6.2, -2, 0), Vector3d(14, 5, 3.1));
-  }
-
-  static constexpr double middle = 6.1;
-  double returned_;
-  pcl::PointCloud<pcl::PointXYZ>::Ptr rows_{new pcl::PointCloud<pcl::PointXYZ>};
-  std::mt19937 random_{1};
-  std::uniform_real_distribution<double> uniform_{0, 1};
-};
+  return rooms;
+}
 
 TEST(TruePlaces, TheCornerOfARoomIsNone)
 {
   constexpr float voxel = 0.05F;
-  const TwoRooms rooms(1);
+  const GlazedRooms rooms = twoRooms(1);
   for (const Vector3f& corner : {Vector3f(0, 0, 0), Vector3f(0.04F, 0.05F, 0)}) {
     ScanPositions positions = rooms.positions;
     positions[0].place = corner;
@@ -108,26 +48,26 @@ TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
   constexpr float voxel = 0.1F;
   for (const double returned : {0.05, 0.2, 1.})
     EXPECT_TRUE(
-        TwoRooms(returned).found(TwoRooms(returned).positions, voxel).untrue.empty())
+        twoRooms(returned).found(twoRooms(returned).positions, voxel).untrue.empty())
         << returned;
-  const TwoRooms rooms(1);
+  const GlazedRooms rooms = twoRooms(1);
   EXPECT_EQ(rooms.found({rooms.positions[0]}, voxel).untrue.size(), 1u);
 }
 
 TEST(TruePlaces, UntrueOnesDoNotTakeTheRaysOfTrueOnesThatFollow)
 {
   // As many as count in a cube of 10 cm.
-  const TwoRooms rooms(1, 4);
+  const GlazedRooms rooms = twoRooms(1, 4);
   const MirroredPoints found = rooms.found(rooms.positions);
   EXPECT_EQ(found.untrue.size(), 4u);
-  const TwoRooms alone(1);
+  const GlazedRooms alone = twoRooms(1);
   const std::size_t expected = alone.found(alone.positions).rays;
   EXPECT_GT(found.rays, expected * 9 / 10);
 }
 
 TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)
 {
-  const TwoRooms rooms(1);
+  const GlazedRooms rooms = twoRooms(1);
   ScanPositions swapped = rooms.positions;
   std::swap(swapped[0].place, swapped[1].place);
   EXPECT_EQ(rooms.found(swapped).untrue.size(), 2u);
@@ -156,11 +96,11 @@ TEST(TruePlaces, AreBelowAGlassRoofInAScanThatWasCutToIt)
       for (double around = -M_PI / 4; around < M_PI / 4; around += step) {
         const Vector3d direction(std::cos(up) * std::cos(around),
                                  std::cos(up) * std::sin(around), std::sin(up));
-        Vector3d hit = place + exitFrom(room, place, direction) * direction;
+        Vector3d hit = place + crossingsOf(room, place, direction).second * direction;
         const bool is_pane = hit.z() > 2.59 && std::abs(hit.x() - 3) < 2.8 &&
                              std::abs(hit.y() - 2.5) < 2.3;
         if (is_pane && uniform(random) > 0.1)
-          hit = place + exitFrom(whole, place, direction) * direction;
+          hit = place + crossingsOf(whole, place, direction).second * direction;
         rows.push_back(hit.cast<float>());
       }
   }
@@ -170,7 +110,7 @@ TEST(TruePlaces, AreBelowAGlassRoofInAScanThatWasCutToIt)
 
 TEST(TruePlaces, OneFarAwayIsUntrue)
 {
-  const MirroredPoints found = TwoRooms(1).found({{0, {691600, 5336000, 500}}}, 0.05F);
+  const MirroredPoints found = twoRooms(1).found({{0, {691600, 5336000, 500}}}, 0.05F);
   EXPECT_EQ(found.untrue.size(), 1u);
   EXPECT_TRUE(found.lines.empty());
 }
