@@ -30,28 +30,6 @@ TEST(SharedValues, AreOneWhereverTheFirstOfThemLie)
   }
 }
 
-TEST(SharedValues, AreTwoIfTheyAreFarApart)
-{
-  std::mt19937 random(2);
-  std::normal_distribution<double> error(0, 0.01);
-  std::vector<MeasuredValue> values;
-  for (int i = 0; i < 40; ++i)
-    values.push_back({(i % 2) * 0.1 + error(random), 1e-4});
-  const std::vector<std::size_t> first = shareValues(values, M_PI / 2, M_PI / 2);
-  for (std::size_t i = 0; i < first.size(); ++i)
-    EXPECT_EQ(first[i], i % 2);
-}
-
-TEST(SharedValues, AreTheSameAcrossTheEndOfAPeriod)
-{
-  const std::vector<MeasuredValue> values{{0.78, 1e-4},
-                                          {-0.785, 1e-4},
-                                          {0.79, 1e-4},
-                                          {-0.78, 1e-4}};
-  EXPECT_EQ(groupsOf(values, M_PI / 2, M_PI / 2), 1u);
-  EXPECT_EQ(groupsOf(values, M_PI / 2, 0), 2u);
-}
-
 TEST(SharedValues, MayBeNoneOrOne)
 {
   EXPECT_TRUE(shareValues({}, 1, 0).empty());

@@ -185,18 +185,6 @@ TEST(CeilingBoundaryWallGrowing, WallsAreThoseOfASearchOverAllSeeds)
   }
 }
 
-TEST(CeilingBoundaryWallGrowing, CeilingAndFloorPointsAreNeverWalls)
-{
-  Scene scene;
-  const auto ceiling = scene.slab(0, 2, 0, 2, 2.5f);
-  const auto floor = scene.slab(0, 2, 0, 2, 0.f);
-  const auto wall = scene.pole(2, 1, 0.5f, 2);
-  Growing growing = growingOn(scene, ceiling);
-  growing.setFloorIndices(indexList(floor));
-  EXPECT_EQ(wallsOf(growing), wall);
-  EXPECT_TRUE(growing.getFloorBoundaryIndices().empty());
-}
-
 TEST(CeilingBoundaryWallGrowing, SliceDividesSeedsOfCeilingAndScopeFromThoseOfTheFloor)
 {
   const SoffitRoom room;
