@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <random>
 
 namespace {
@@ -131,17 +130,18 @@ struct RoomWithParts {
       addRectangle({x, y0, low}, {0, y1 - y0, 0}, {0, 0, high - low}, cloud, step);
   }
 
-  /** @brief Returns what may hang in the room. */
-  std::vector<PlanWarning> hanging() const
+  /** @brief Returns what is told of one kind, such as of what may hang in the room. */
+  std::vector<PlanWarning> hanging(WarningKind kind = WarningKind::Hanging) const
   {
-    std::vector<PlanWarning> found = unexplained(cloud, plan);
-    found.erase(std::remove_if(found.begin(), found.end(),
-                               [](const PlanWarning& warning) {
-                                 return warning.kind != WarningKind::Hanging;
-                               }),
-                found.end());
+    std::vector<PlanWarning> found;
+    for (const PlanWarning& warning : unexplained(cloud, plan))
+      if (warning.kind == kind)
+        found.push_back(warning);
     return found;
   }
+
+  /** @brief Returns what is told of parts of which nothing was seen. */
+  std::vector<PlanWarning> unseen() const { return hanging(WarningKind::PartUnseen); }
 };
 
 TEST(UnexplainedCeilings, AreIslandsThatHangBelowACeiling)
@@ -239,8 +239,7 @@ TEST(UnexplainedCeilings, AreNotHigherPartsThatEndBeforeTheirWall)
   RoomWithParts room(0.02F);
   room.plan.rooms[0].details = {detailOf(rectangle(0, 1.6, 4, 3), 2.7)};
   addRectangle({0, 1.6F, 2.7F}, {4, 0, 0}, {0, 0.6F, 0}, room.cloud, 0.02F);
-  for (const PlanWarning& warning : unexplained(room.cloud, room.plan))
-    EXPECT_NE(warning.kind, WarningKind::PartUnseen);
+  EXPECT_TRUE(room.unseen().empty());
 }
 
 TEST(UnexplainedCeilings, AreLowerPartsOfWhichNothingWasSeen)
@@ -248,13 +247,10 @@ TEST(UnexplainedCeilings, AreLowerPartsOfWhichNothingWasSeen)
   RoomWithParts room(0.02F); // from x = 2 m on
   room.plan.rooms[0].details = {detailOf(rectangle(0, 2.6, 4, 3), 2.1)};
   addRectangle({0, 2.6F, 2.1F}, {2, 0, 0}, {0, 0.4F, 0}, room.cloud, 0.02F);
-  const auto found = unexplained(room.cloud, room.plan);
-  const auto part = std::find_if(found.begin(), found.end(), [](const PlanWarning& w) {
-    return w.kind == WarningKind::PartUnseen;
-  });
-  ASSERT_NE(part, found.end());
-  EXPECT_NEAR(part->values[0], 2 * 0.4, 0.45) << "up to 1.2 m before its end, too";
-  EXPECT_NEAR(part->at.x(), 3, 0.2);
+  const auto parts = room.unseen();
+  ASSERT_FALSE(parts.empty());
+  EXPECT_NEAR(parts[0].values[0], 2 * 0.4, 0.45) << "up to 1.2 m before its end, too";
+  EXPECT_NEAR(parts[0].at.x(), 3, 0.2);
 }
 
 TEST(UnexplainedCeilings, AreLowerPartsThatEndBeforeTheirWall)
@@ -263,19 +259,14 @@ TEST(UnexplainedCeilings, AreLowerPartsThatEndBeforeTheirWall)
     RoomWithParts room(0.02F);
     room.plan.rooms[0].details = {detailOf(rectangle(0, 2.6, 4, 3), 2.1)};
     addRectangle({0, 2.6F, 2.1F}, {4, 0, 0}, {0, 0.4F - gap, 0}, room.cloud, 0.02F);
-    const auto found = unexplained(room.cloud, room.plan);
-    ASSERT_EQ(std::count_if(found.begin(), found.end(),
-                            [](const PlanWarning& warning) {
-                              return warning.kind == WarningKind::PartUnseen;
-                            }),
-              gap > 0.05F ? 1 : 0);
-    for (const PlanWarning& warning : found)
-      if (warning.kind == WarningKind::PartUnseen) {
-        EXPECT_NEAR(warning.values[0], 4 * gap, 0.1);
-        EXPECT_EQ(sentenceOf(warning).substr(12),
-                  "m2 of a lower part of its ceiling around (2.0, 3.0) were not seen: "
-                  "it may end before the wall");
-      }
+    const auto parts = room.unseen();
+    ASSERT_EQ(parts.size(), gap > 0.05F ? 1u : 0u);
+    for (const PlanWarning& warning : parts) {
+      EXPECT_NEAR(warning.values[0], 4 * gap, 0.1);
+      EXPECT_EQ(sentenceOf(warning).substr(12),
+                "m2 of a lower part of its ceiling around (2.0, 3.0) were not seen: "
+                "it may end before the wall");
+    }
   }
 }
 

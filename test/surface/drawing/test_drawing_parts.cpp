@@ -29,25 +29,44 @@ storeysWithFlight()
   return plan;
 }
 
+/** Returns the straight lines of the stairs on a storey. */
+std::vector<PlanElement>
+stairLines(const Floorplan& plan, std::size_t storey)
+{
+  std::vector<PlanElement> lines;
+  for (const PlanLine& line :
+       PlanDrawing(plan, sheetOf(storeysOf(plan)[storey]), 0).lines)
+    if (line.layer == PlanLayer::Stair && !line.element.isArc())
+      lines.push_back(line.element);
+  return lines;
+}
+
+/** Returns where the lines across x are on a storey. */
+std::multiset<double>
+treadsOf(const Floorplan& plan, std::size_t storey)
+{
+  std::multiset<double> treads;
+  for (const PlanElement& line : stairLines(plan, storey))
+    if (line.start.x() == line.end.x())
+      treads.insert(line.start.x());
+  return treads;
+}
+
 TEST(StairDrawing, AFlightIsCutOnTheLowerStoreyOnly)
 {
   const Floorplan plan = storeysWithFlight();
-  const auto storeys = storeysOf(plan);
   for (std::size_t s = 0; s < 2; ++s) {
-    const PlanDrawing drawing(plan, sheetOf(storeys[s]), 0);
-    std::size_t treads = 0;
-    std::size_t slanted = 0;
-    for (const PlanLine& line : drawing.lines) {
-      const Eigen::Vector2d way = line.element.end - line.element.start;
-      if (line.layer != PlanLayer::Stair || line.element.isArc())
-        continue;
-      treads += std::abs(way.x()) < 1e-9 ? 1 : 0;
-      slanted += std::abs(way.x()) > 1e-9 && std::abs(way.y()) > 1e-9 ? 1 : 0;
-    }
-    EXPECT_EQ(treads, s == 0 ? 7u : 16u) << "up to the break line";
-    EXPECT_EQ(slanted, s == 0 ? 4u : 2u) << "arrow and break lines";
+    EXPECT_EQ(treadsOf(plan, s).size(), s == 0 ? 7u : 16u) << "up to the break line";
+    const auto lines = stairLines(plan, s);
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                            [](const PlanElement& line) {
+                              return (line.end - line.start).cwiseAbs().minCoeff() >
+                                     1e-9;
+                            }),
+              s == 0 ? 4 : 2)
+        << "slanted ones: arrow and break lines";
   }
-  EXPECT_TRUE(says(dxfOf(plan, sheetOf(storeys[0])), "A-FLOR-STRS\n"));
+  EXPECT_TRUE(says(dxfOf(plan, sheetOf(storeysOf(plan)[0])), "A-FLOR-STRS\n"));
 }
 
 TEST(StairDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
@@ -56,19 +75,11 @@ TEST(StairDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
   PlanFlight flight = plan.stairs[0].flights[0];
   flight.bottom = 2.8;
   plan.stairs.push_back({{4, 0}, {6, 0.5}, 2.8, 5.6, {flight}}); // on to a third storey
-  const auto storeys = storeysOf(plan);
-  const PlanDrawing drawing(plan, sheetOf(storeys[1]), 0);
-  std::set<double> treads;
-  std::size_t count = 0;
-  for (const PlanLine& line : drawing.lines)
-    if (line.layer == PlanLayer::Stair && !line.element.isArc() &&
-        line.element.start.x() == line.element.end.x()) {
-      treads.insert(line.element.start.x());
-      ++count;
-    }
+  const std::multiset<double> treads = treadsOf(plan, 1);
   EXPECT_EQ(treads.size(), 16u) << "seven of the upper one, nine of the lower one";
-  EXPECT_EQ(count, 16u) << "no line lies over another one";
-  const std::string sheet = svgOf(plan, sheetOf(storeys[1]));
+  EXPECT_EQ(std::set<double>(treads.begin(), treads.end()).size(), 16u)
+      << "no line lies over another one";
+  const std::string sheet = svgOf(plan, sheetOf(storeysOf(plan)[1]));
   EXPECT_TRUE(says(sheet, ">up<") && says(sheet, ">down to room 2<"));
 }
 
@@ -78,17 +89,13 @@ TEST(StairDrawing, AFlightEndsAtTheWallsOfItsRoom)
   for (PlanFlight::Riser& riser : plan.stairs[0].flights[0].risers)
     for (Eigen::Vector2d& end : riser)
       end.y() -= 0.9; // most of its lower side is behind a wall
-  const auto storeys = storeysOf(plan);
   for (std::size_t s = 0; s < 2; ++s) {
-    const PlanRoom& room = plan.rooms[s == 0 ? 1 : 3];
-    std::size_t count = 0;
-    for (const PlanLine& line : PlanDrawing(plan, sheetOf(storeys[s]), 0).lines)
-      if (line.layer == PlanLayer::Stair && !line.element.isArc()) {
-        ++count;
-        EXPECT_TRUE(room.contains(line.element.pointAt(line.element.length() / 2)));
-        EXPECT_GT(std::min(line.element.start.y(), line.element.end.y()), -0.03);
-      }
-    EXPECT_GT(count, 6u);
+    const auto lines = stairLines(plan, s);
+    EXPECT_GT(lines.size(), 6u);
+    for (const PlanElement& line : lines) {
+      EXPECT_TRUE(plan.rooms[s == 0 ? 1 : 3].contains(line.pointAt(line.length() / 2)));
+      EXPECT_GT(std::min(line.start.y(), line.end.y()), -0.03);
+    }
   }
 }
 
@@ -96,13 +103,7 @@ TEST(StairDrawing, AFlightGoesOnWhereItLeavesItsRoom)
 {
   Floorplan plan = storeysWithFlight();
   plan.rooms[3].boundary = rectangle(4.05, 0, 6.6, 3); // beyond it is another part
-  const PlanDrawing drawing(plan, sheetOf(storeysOf(plan)[1]), 0);
-  std::set<double> treads;
-  for (const PlanLine& line : drawing.lines)
-    if (line.layer == PlanLayer::Stair && !line.element.isArc() &&
-        line.element.start.x() == line.element.end.x())
-      treads.insert(line.element.start.x());
-  EXPECT_EQ(treads.size(), 16u);
+  EXPECT_EQ(treadsOf(plan, 1).size(), 16u);
 }
 
 TEST(StairDrawing, WhereAStairLeadsIsWrittenInItsRoom)
