@@ -5,8 +5,10 @@
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -45,9 +47,17 @@ pcdBytes(const std::vector<std::vector<float>>& points,
   return bytes;
 }
 
+/** Writes a file; a small one also to the folder that SEDR_SEEDS names, for fuzzers. */
 inline void
 writeFile(const std::filesystem::path& path, const std::string& bytes)
 {
+  constexpr std::size_t small = 8192;
+  if (const char* const seeds = std::getenv("SEDR_SEEDS");
+      seeds && bytes.size() < small)
+    std::ofstream(
+        seeds / std::filesystem::path(std::to_string(std::hash<std::string>()(bytes))),
+        std::ios::binary)
+        << bytes;
   std::filesystem::remove(
       path); // rewriting a file waits for the disk, creating one does not
   std::ofstream(path, std::ios::binary) << bytes;
