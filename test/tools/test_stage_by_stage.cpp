@@ -6,10 +6,12 @@
 #include "tool_cloud.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <set>
 #include <utility>
 
 namespace {
@@ -154,6 +156,12 @@ TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
   EXPECT_NEAR(plan.rooms[1].area(), 9, 0.05);
   EXPECT_EQ(plan.rooms[1].details.size(), 0u);
 
+  pcl::sedr::TriangleMesh mesh;
+  ASSERT_EQ(pcl::sedr::loadMesh(in("mesh.ply"), mesh), "");
+  EXPECT_LT(mesh.signedVolume(), 0) << "seen from within";
+  EXPECT_EQ(mesh.labels.size(), mesh.triangles.size());
+  EXPECT_EQ(std::set<std::uint32_t>(mesh.rooms.begin(), mesh.rooms.end()),
+            (std::set<std::uint32_t>{1, 2}));
   const ToolCloud structure = loadCloud(in("structure.pcd"));
   EXPECT_EQ(floatField(structure.blob, "intensity").size(), structure.size());
 
@@ -162,11 +170,11 @@ TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
     const ProgramRun judged =
         done(run(MESH_EVALUATION,
                  {in(name), "--json", in("figures.json"), "--self-intersections"}));
-    const auto mesh = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
-    EXPECT_EQ(mesh.at("closed_manifold"), true) << judged.out;
-    EXPECT_EQ(mesh.at("self_intersections"), 0) << name;
-    EXPECT_EQ(mesh.at("components").size(), 2u);
-    EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()),
+    const auto told = nlohmann::json::parse(bytesOf(in("figures.json"))).at("mesh");
+    EXPECT_EQ(told.at("closed_manifold"), true) << judged.out;
+    EXPECT_EQ(told.at("self_intersections"), 0) << name;
+    EXPECT_EQ(told.at("components").size(), 2u);
+    EXPECT_NEAR(std::abs(told.at("volume").get<double>()),
                 12 * 2.5 - 1.8 * 0.4 + 9 * 2.5, tolerance);
   }
 }

@@ -87,7 +87,8 @@ TEST_F(StageTools, TellWhatIsMissingOrLeavesNothing)
            {refinement, beside.pcd(true), "none of the"},
            {refinement, scan.pcd(false), "none of the"},
            {repair, beside.pcd(true), "none of the"},
-           {repair, scan.pcd(false), "none of the"}}) {
+           {repair, scan.pcd(false), "none of the"},
+           {{STRUCTURAL_POISSON, "output.ply"}, scan.pcd(true), "has no normals"}}) {
     SCOPED_TRACE(::testing::Message() << c.tool << ": " << c.words);
     expectFailure(runOn(c.tool, c.scan, c.options), 2, c.words);
   }

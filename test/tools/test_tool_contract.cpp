@@ -15,21 +15,32 @@ protected:
   ProgramRun onFile(const std::string& bytes) { return runOn(GetParam(), bytes); }
 };
 
+class FileToolContract : public ToolContract {};
 class StageToolContract : public ToolContract {};
 
-/** The stages, and programs that read a plan or make all of a model. */
+/** The stages, and programs that mesh points or read a plan. */
 std::vector<Tool>
-allTools()
+fileTools()
 {
   std::vector<Tool> tools = stageTools();
   for (const Tool& tool :
-       {Tool{FLOORPLAN_EXTRUSION, "output.ply"}, Tool{FLOORPLAN_DRAWING, "output.svg"},
-        Tool{SEDR, "output_folder"}})
+       {Tool{STRUCTURAL_POISSON, "output.ply"}, Tool{FLOORPLAN_EXTRUSION, "output.ply"},
+        Tool{FLOORPLAN_DRAWING, "output.svg"}})
     tools.push_back(tool);
   return tools;
 }
 
+std::vector<Tool>
+allTools()
+{
+  std::vector<Tool> tools = fileTools();
+  for (const char* const program : {SEDR, SIMULATE_INDOOR_SCAN})
+    tools.push_back({program, "output_folder"});
+  return tools;
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ToolContract, ::testing::ValuesIn(allTools()));
+INSTANTIATE_TEST_SUITE_P(Files, FileToolContract, ::testing::ValuesIn(fileTools()));
 INSTANTIATE_TEST_SUITE_P(Stages, StageToolContract, ::testing::ValuesIn(stageTools()));
 
 TEST_P(ToolContract, HelpTellsUsageAndEveryDefault)
@@ -76,7 +87,7 @@ TEST_P(ToolContract, FilesThatAreNoInputsAreRefused)
     expectFailure(onFile(bytes), 1);
 }
 
-TEST_P(StageToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
+TEST_P(FileToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
 {
   writeFile(in("input.pcd"), pcdBytes({{1, 2, 3}}));
   const std::string folder = in("input_folder_" + GetParam().output);
@@ -84,9 +95,6 @@ TEST_P(StageToolContract, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork)
   for (const std::string& path :
        {in("no_folder/" + GetParam().output), in("output.txt"), folder})
     expectFailure(runTo(path, GetParam(), in("input.pcd")), 1);
-  expectFailure(runTo(output(), GetParam(), in("input.pcd"),
-                      {"--picture", in("no_folder/picture.png")}),
-                1, "no_folder/picture.png");
 }
 
 TEST_P(StageToolContract, PicturesAreTheSameEveryTime)
@@ -94,6 +102,10 @@ TEST_P(StageToolContract, PicturesAreTheSameEveryTime)
   const auto draw = [&] {
     return runOn(GetParam(), scanOf().pcd(true), {"--picture", in("picture.png")});
   };
+  writeFile(in("input.pcd"), pcdBytes({{1, 2, 3}}));
+  expectFailure(runTo(output(), GetParam(), in("input.pcd"),
+                      {"--picture", in("no_folder/picture.png")}),
+                1, "no_folder/picture.png");
   const ProgramRun first = done(draw());
   EXPECT_EQ(first.err, "") << "quiet when piped";
   EXPECT_TRUE(std::filesystem::exists(output()));

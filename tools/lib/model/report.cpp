@@ -349,13 +349,12 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
   const auto counted = [](std::size_t number, const char* one, const char* more) {
     return std::to_string(number) + " " + (number == 1 ? one : more) + ", ";
   };
-  const auto percent = [](double share) { return decimalText(100 * share, 0) + " % "; };
   std::string summary = counted(chain.getFloorplan()->rooms.size(), "room", "rooms") +
                         decimalText(area, 1) + " square metres, ";
   if (const WallShares walls = wallShares(*chain.getFloorplan()); walls.area > 0)
-    summary += "walls " + percent(walls.measured) + "measured, " +
-               percent(walls.inferred) + "inferred, " + percent(walls.unseen) +
-               "unseen, ";
+    summary += "walls " + percentText(walls.measured) + " measured, " +
+               percentText(walls.inferred) + " inferred, " + percentText(walls.unseen) +
+               " unseen, ";
   const auto& meshes = chain.getStages().poisson.getReports();
   const auto closed = std::count_if(meshes.begin(), meshes.end(),
                                     [](const auto& mesh) { return mesh.closed; });
