@@ -35,9 +35,7 @@ LEVEL = ("left_out", "ceiling_apart", "ceiling_unseen", "part_unseen", "ceiling_
 AREAS = LEVEL + ("hidden", "no_opening", "wall_off", "standing", "contradiction")  # square metres of them are a doubt's first value
 LENGTHS = ("open", "guessed_wall", "in_line")                                      # metres
 WHOLE = ("coverage", "no_plan", "filled_in", "crossing", "small_room", "narrow_room", "height", "unit", "up", "noise", "one_room", "two_rooms")
-DOUBTS = ("coverage", "no_plan", "left_out", "hidden", "open", "no_opening", "filled_in", "guessed_wall", "ceiling_apart", "ceiling_unseen", "part_unseen", "ceiling_off", "floor_off", "floor_unseen", "wall_off",
-          "standing", "hanging", "crossing", "contradiction", "small_room", "narrow_room", "height", "unit", "up",
-          "in_line", "raised_floor", "noise", "one_room", "two_rooms")
+DOUBTS = AREAS + LENGTHS + WHOLE
 
 
 def build(seed, kinds=oddities.FIRST):
