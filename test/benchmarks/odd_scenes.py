@@ -87,7 +87,7 @@ def unsure_places(folder, report, sure):
     """The middles of walls and openings that are said to be less sure."""
     plan = json.loads((folder / "out" / "floorplan.json").read_text(encoding="utf-8"))
     lines = {f"{room['id']}.{k + 1}": e for room in plan["rooms"] for k, e in enumerate(room["boundary"])}
-    lines.update(zip((o["number"] for o in report["openings"]), plan["openings"]))
+    lines.update(zip((o["number"] for o in report["openings"]), plan.get("openings", [])))
     unsure = [lines[row[0]] for table in report["certainty"].values() for row in table["rows"] if row[4] < sure]
     return [Point((np.array(e["start"]) + e["end"]) / 2) for e in unsure]
 

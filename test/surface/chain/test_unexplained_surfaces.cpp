@@ -175,11 +175,14 @@ TEST(UnexplainedSurfaces, AreHalfWallsButNoSideboardsAlsoInHalls)
       for (const float x : {2.0F, 2 + depth})
         addRectangle({x, 1, 0}, {0, 1.4F, 0}, {0, 0, 1.3F}, cloud);
       addRectangle({2, 1, 0}, {depth, 0, 0}, {0, 0, 1.3F}, cloud);
-      const auto found = unexplained(cloud, plan);
+      auto found = unexplained(cloud, plan);
+      found.erase(
+          std::remove_if(found.begin(), found.end(),
+                         [](const auto& w) { return w.kind != WarningKind::Standing; }),
+          found.end());
       ASSERT_EQ(found.size(), depth < 0.5F ? 1u : 0u) << depth;
       if (found.empty())
         continue;
-      EXPECT_EQ(found[0].kind, WarningKind::Standing);
       ASSERT_EQ(found[0].values.size(), 2u);
       EXPECT_NEAR(found[0].values[0], 2 * 1.4 * 1.3, 0.4) << "both faces";
       EXPECT_NEAR(found[0].values[1], 1.3, 0.1);
