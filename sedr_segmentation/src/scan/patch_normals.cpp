@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patch_normals.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
@@ -58,14 +59,13 @@ patchesOf(const PointView& points,
           double patch,
           double offset)
 {
-  constexpr double farthest = 1e5;
   Patches patches;
   auto last = patches.end(); // the next point is mostly in the same patch
   for (std::size_t n = begin; n < end; ++n) {
     const Eigen::Vector3d p =
         turn * points[static_cast<std::size_t>(indices[n])].cast<double>() +
         Eigen::Vector3d::Constant(offset * patch);
-    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() >= farthest_place)
       continue;
     const auto alongAxis = [&](double v) { // floor without a function call
       const auto whole = static_cast<std::int64_t>(v / patch);

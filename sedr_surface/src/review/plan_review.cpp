@@ -274,12 +274,13 @@ PlanReview
 reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
 {
   PlanReview review;
-  review.walls = certaintyOfWalls(plan, warnings);
+  std::vector<PlanWarning> all = unlikelyPlaces(plan);
+  all.insert(all.begin(), warnings.begin(), warnings.end());
+  review.walls = certaintyOfWalls(plan, all);
   review.openings = certaintyOfOpenings(plan);
   Doubts doubts(plan);
-  for (const auto& list : {warnings, unlikelyPlaces(plan)})
-    for (const PlanWarning& warning : list)
-      doubts.add(warning);
+  for (const PlanWarning& warning : all)
+    doubts.add(warning);
   doubts.add(review);
   doubts.moveTo(review);
   setVerdict(plan, review);
