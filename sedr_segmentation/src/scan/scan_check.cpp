@@ -61,18 +61,16 @@ scanProblem(const PointView& points,
     // The unit in which the scan would have the height of a building.
     const bool is_centimetre = z < 10 * priors.max_building_height &&
                                std::min(x, y) < priors.max_building_extent;
-    return formatText(
-        is_centimetre ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                        "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
-                      : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                        "the millimetre, scale it by 0.001 (--unit 0.001 in pcl_sedr)",
-        x, y, z);
+    const char* const scale = is_centimetre ? "0.01" : "0.001";
+    return formatText("the scan is %.0f x %.0f x %.0f m large: if its unit is the %s, "
+                      "scale it by %s (--unit %s in pcl_sedr)",
+                      x, y, z, is_centimetre ? "centimetre" : "millimetre", scale,
+                      scale);
   }
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
     return formatText(
-        "the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
-        "unit must be "
-        "the metre",
+        "the scan is %.3f x %.3f x %.3f m large, too small for a room: its unit must "
+        "be the metre",
         x, y, z);
   return {};
 }

@@ -47,7 +47,8 @@ openingWeights()
                                {{"log_confidence", 0.34},
                                 {"log_error", -0.97},
                                 {"two_faces", 1.10},
-                                {"unknown_kind", -0.93}}};
+                                {"unknown_kind", -0.93},
+                                {"unseen_jamb", -1.6}}};
   return weights;
 }
 
@@ -186,7 +187,9 @@ certaintyOfOpenings(const Floorplan& plan)
            k,
            opening.width() * opening.height(),
            {std::log(sure / (1 - sure)), error, opening.walls.size() > 1 ? 1.0 : 0.0,
-            opening.kind == OpeningKind::Unknown ? 1.0 : 0.0}}));
+            opening.kind == OpeningKind::Unknown ? 1.0 : 0.0,
+            static_cast<double>(opening.widthError() > 0 &&
+                                opening.jambsSeen() == EdgeSeen::Nothing)}}));
       if (opening.is_confirmed)
         openings.back().within.fill(1);
     }
