@@ -84,7 +84,7 @@ TEST(Certainty, OfOpeningsFollowsTheirEdges)
   EXPECT_EQ(door.signs.size(), openingSigns().size());
   EXPECT_GT(door.right(), 0.8);
   EXPECT_LT(doors[0].right(), 0.6);
-  plan.openings[2].edges[0] = {EdgeSeen::Nothing, 0.07};
+  plan.openings[2].edges = {{{EdgeSeen::Nothing, 0.07}, {EdgeSeen::Rim, 0.01}}};
   EXPECT_LT(certaintyOfOpenings(plan)[2].right(), door.right() - 0.1);
 }
 
