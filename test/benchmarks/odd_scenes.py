@@ -81,6 +81,15 @@ def lost_openings(folder):
     return [o for k, o in enumerate(true) if k not in mate or (o["kind"] == "door" and found[mate[k]]["kind"] == "window")]
 
 
+def unsure_places(folder, report, sure):
+    """The middles of walls and openings that are said to be less sure."""
+    plan = json.loads((folder / "out" / "floorplan.json").read_text(encoding="utf-8"))
+    lines = {f"{room['id']}.{k + 1}": e for room in plan["rooms"] for k, e in enumerate(room["boundary"])}
+    lines.update(zip((o["number"] for o in report["openings"]), plan.get("openings", [])))
+    unsure = [lines[row[0]] for table in report["certainty"].values() for row in table["rows"] if row[4] < sure]
+    return [Point((np.array(e["start"]) + e["end"]) / 2) for e in unsure]
+
+
 def told_by(folder, report, wrong):
     """Kinds of warnings that tell of what is wrong: `wrong` square metres at wrong_place(), or openings that were lost."""
     place = wrong_place(folder)
@@ -102,12 +111,10 @@ def told_by(folder, report, wrong):
             kinds.add(kind)
     if sums["area"] < TOLD * wrong and sums["level"] < TOLD * place.area and sums["length"] < TOLD * length_of(place):
         kinds -= set(AREAS + LENGTHS)
-    for doubt in report["doubts"]:
-        sure = re.search(r", (\d+) % sure", doubt["text"])
-        if sure and int(sure[1]) < 50 and doubt["at"] and wrong > 0 and place.distance(Point(doubt["at"])) < BESIDE:
-            kinds.add("unsure")
+    kinds |= {"unsure" for at in unsure_places(folder, report, 0.5) if wrong > 0 and place.distance(at) < BESIDE}
+    doubted = [Point(told["at"]) for told in report["warnings"] + report["doubts"] if told["at"]] + unsure_places(folder, report, 0.9)
     for opening in lost_openings(folder):
-        if not any(doubt["at"] and Point(doubt["at"]).distance(Point((opening["a"] + opening["b"]) / 2)) < opening["width"] / 2 + BESIDE for doubt in report["doubts"]):
+        if all(at.distance(Point((opening["a"] + opening["b"]) / 2)) > opening["width"] / 2 + BESIDE for at in doubted):
             return set()
         kinds.add("opening")
     return kinds

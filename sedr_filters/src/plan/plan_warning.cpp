@@ -186,9 +186,10 @@ std::string
 subjectOf(const PlanWarning& warning)
 {
   const std::string room = std::to_string(warning.room);
-  return warning.wall > 0   ? "wall " + room + "." + std::to_string(warning.wall)
-         : warning.room > 0 ? "room " + room
-                            : "";
+  return warning.wall > 0    ? "wall " + room + "." + std::to_string(warning.wall)
+         : warning.room == 0 ? ""
+         : warning.kind == WarningKind::WallOff ? "column of room " + room
+                                                : "room " + room;
 }
 
 std::string

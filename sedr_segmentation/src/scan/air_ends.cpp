@@ -83,17 +83,17 @@ bordersOf(const std::vector<ColumnGap>& gaps)
   return borders;
 }
 
-/** @brief Returns the entropy of parts of a whole, nats. */
+/** @brief Returns the entropy of what is counted by levels, times its number, nats. */
 double
-entropyOf(const std::vector<double>& parts)
+entropyOf(const std::map<double, double>& counts)
 {
   double sum = 0;
   double logs = 0;
-  for (const double part : parts) {
-    sum += part;
-    logs += part * std::log(part);
+  for (const auto& [level, count] : counts) {
+    sum += count;
+    logs += count * std::log(count);
   }
-  return sum > 0 ? std::log(sum) - logs / sum : 0;
+  return sum > 0 ? sum * std::log(sum) - logs : 0;
 }
 
 /** @brief Returns the entropy of heights in steps of a cell, from where they fit best;
@@ -111,15 +111,8 @@ entropyOfHeights(const std::vector<ColumnGap>& gaps, float ColumnGap::*end)
       levels[number][std::floor(gaps[i].*end / air_columns::size + start)] += 1;
     }
     double sum = 0;
-    for (const auto& of_storey : levels) {
-      std::vector<double> counts;
-      double all = 0;
-      for (const auto& [level, count] : of_storey) {
-        counts.push_back(count);
-        all += count;
-      }
-      sum += all * entropyOf(counts);
-    }
+    for (const auto& of_storey : levels)
+      sum += entropyOf(of_storey);
     least = std::min(least, sum / static_cast<double>(gaps.size()));
   }
   return least;

@@ -20,7 +20,7 @@ struct EndSurface {
                     ///< those of the first gaps of all columns, of the second ones, ...
   double large = 0; ///< share of pieces of 2 square metres and more
   double things = 0;   ///< number of them; a third of those that leave headroom
-  double bars = 0;     ///< number of those no wider than walls that leave headroom
+  double bars = 0;     ///< those as thin as walls with headroom; a third above doorways
   double relief = 0;   ///< share of steps of 3 cm in 10 cm within large pieces
   double stations = 0; ///< log-odds that scanners stand on it, not anywhere, nats
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "end_pieces.h"
 
-#include "sedr_filters/src/base/quantiles.h"
 #include "sedr_filters/src/grids/disjoint_sets.h"
 #include <pcl/sedr_filters/priors.h>
 
@@ -145,7 +144,8 @@ isThing(const EndPieces& pieces, std::uint32_t piece, const Priors& priors)
 }
 
 /** @brief Counts a thing as one that stands free, or as a bar from wall to wall. What
- * leaves the headroom of a doorway may hang as well, lower things do not. */
+ * leaves the headroom of a doorway may hang as well, lower things do not; a bar above
+ * the head of a doorway may be a desk or a kerb below a high ceiling: a third each. */
 void
 addThing(const std::vector<ColumnGap>& gaps,
          const EndPieces& pieces,
@@ -155,12 +155,10 @@ addThing(const std::vector<ColumnGap>& gaps,
          ThingCounts& counts)
 {
   constexpr double whole_thing = 0.2; // square metres; smaller ones count less
+  constexpr double high_lintel = 2.3; // metres
   std::vector<ColumnGap> things;
-  std::vector<double> heights;
-  for (const std::uint32_t i : members) {
+  for (const std::uint32_t i : members)
     things.push_back(gaps[i]);
-    heights.push_back(gaps[i].high - gaps[i].low);
-  }
   const auto middle = things.begin() + static_cast<std::ptrdiff_t>(things.size() / 2);
   std::nth_element(
       things.begin(), middle, things.end(),
@@ -168,14 +166,15 @@ addThing(const std::vector<ColumnGap>& gaps,
   const PieceBox box(things);
   const std::uint32_t piece = pieces.of[members.front()];
   const double count = std::min(1.0, std::pow(pieces.areas[piece] / whole_thing, 2));
-  const bool has_headroom = middleValue(heights) >= priors.min_headroom;
+  const double headroom = middle->high - middle->low;
+  const bool has_headroom = headroom >= priors.min_headroom;
   const bool is_free = isFreeAt(gaps, *middle, box, false, end) ||
                        isFreeAt(gaps, *middle, box, true, end);
   if (is_free && stepOf(pieces, piece) >= priors.max_step_height)
     counts.things += has_headroom ? count / 3 : count;
   else if (!is_free && has_headroom &&
            pieces.areas[piece] <= priors.max_wall * box.length())
-    counts.bars += count;
+    counts.bars += headroom > high_lintel ? count / 3 : count;
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patch_normals.h"
 
+#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -36,29 +38,13 @@ struct PatchMoments {
 };
 
 /** @brief Position of a patch, in patches from the origin. */
-struct PatchKey {
-  std::int64_t x;
-  std::int64_t y;
-  std::int64_t z;
+using PatchKey = std::array<std::int64_t, 3>;
 
-  friend bool operator==(const PatchKey& a, const PatchKey& b)
-  {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-  }
-
-  friend bool operator<(const PatchKey& a, const PatchKey& b)
-  {
-    if (a.x != b.x)
-      return a.x < b.x;
-    return a.y != b.y ? a.y < b.y : a.z < b.z;
-  }
-
-  /** @brief Returns the lower corner, in patches. */
-  Eigen::Vector3d corner() const
-  {
-    return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  }
-};
+Eigen::Vector3d
+cornerOf(const PatchKey& key)
+{
+  return Eigen::Matrix<std::int64_t, 3, 1>(key.data()).cast<double>();
+}
 
 using Patches = std::map<PatchKey, PatchMoments>;
 
@@ -73,23 +59,22 @@ patchesOf(const PointView& points,
           double patch,
           double offset)
 {
-  constexpr double farthest = 1e5;
   Patches patches;
   auto last = patches.end(); // the next point is mostly in the same patch
   for (std::size_t n = begin; n < end; ++n) {
     const Eigen::Vector3d p =
         turn * points[static_cast<std::size_t>(indices[n])].cast<double>() +
         Eigen::Vector3d::Constant(offset * patch);
-    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() >= farthest_place)
       continue;
     const auto alongAxis = [&](double v) { // floor without a function call
       const auto whole = static_cast<std::int64_t>(v / patch);
       return whole - (v / patch < static_cast<double>(whole) ? 1 : 0);
     };
     const PatchKey key{alongAxis(p.x()), alongAxis(p.y()), alongAxis(p.z())};
-    if (last == patches.end() || !(last->first == key))
+    if (last == patches.end() || last->first != key)
       last = patches.try_emplace(key).first;
-    last->second.add(p - patch * key.corner());
+    last->second.add(p - patch * cornerOf(key));
   }
   return patches;
 }
@@ -144,28 +129,13 @@ planesOf(const PointView& points,
   std::vector<std::optional<PlanePatch>> plane_of(moments.size());
   parallelFor(moments.size(), patches_a_block, threads, [&](std::size_t k) {
     plane_of[k] = planeOf(moments[k]->second,
-                          patch * moments[k]->first.corner() - shift, max_scatter);
+                          patch * cornerOf(moments[k]->first) - shift, max_scatter);
   });
   std::vector<PlanePatch> planes;
   for (const auto& plane : plane_of)
     if (plane)
       planes.push_back(*plane);
   return planes;
-}
-
-std::vector<Eigen::Vector3d>
-normalsOf(const PointView& points,
-          const std::vector<int>& indices,
-          const Eigen::Matrix3d& turn,
-          double patch,
-          unsigned threads,
-          double offset)
-{
-  std::vector<Eigen::Vector3d> normals;
-  for (const PlanePatch& plane :
-       planesOf(points, indices, turn, patch, threads, offset))
-    normals.push_back(plane.normal);
-  return normals;
 }
 
 } // namespace pcl::sedr

@@ -18,7 +18,8 @@ struct PlanePatch {
 };
 
 /** @brief Returns the cubes of `patch` metres whose points, rotated by `turn`, lie on a
- * plane, see normalsOf().
+ * plane. The cubes are shifted by `offset` patches along all axes. O(n log n); the
+ * result does not depend on the number of threads.
  * @param max_scatter normal to the plane, metres */
 std::vector<PlanePatch> planesOf(const PointView& points,
                                  const std::vector<int>& indices,
@@ -27,15 +28,5 @@ std::vector<PlanePatch> planesOf(const PointView& points,
                                  unsigned threads,
                                  double offset = 0,
                                  double max_scatter = 0.02);
-
-/** @brief Returns the normals (z >= 0) of the cubes of `patch` metres whose points,
- * rotated by `turn`, lie on a plane. The cubes are shifted by `offset` patches along
- * all axes. O(n log n); the result does not depend on the number of threads. */
-std::vector<Eigen::Vector3d> normalsOf(const PointView& points,
-                                       const std::vector<int>& indices,
-                                       const Eigen::Matrix3d& turn,
-                                       double patch,
-                                       unsigned threads,
-                                       double offset = 0);
 
 } // namespace pcl::sedr

@@ -16,33 +16,20 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the extent along an axis without 1 % of the points at each end. */
+/** @brief Returns the extent along an axis without one of so many points at each end.
+ */
 double
-extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
+extentAlong(const std::vector<Eigen::Vector3f>& points, int axis, std::size_t of = 100)
 {
   std::vector<float> values;
   for (const auto& p : points)
     values.push_back(p[axis]);
-  const std::size_t cut = values.size() / 100;
-  const auto low = values.begin() + static_cast<std::ptrdiff_t>(cut);
-  const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(cut);
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(values.size() / of);
+  const auto high = values.end() - 1 - (low - values.begin());
   std::nth_element(values.begin(), low, values.end());
   const double from = *low;
   std::nth_element(values.begin(), high, values.end());
   return *high - from;
-}
-
-Eigen::Vector3d
-extentsOf(const std::vector<Eigen::Vector3f>& points)
-{
-  return {extentAlong(points, 0), extentAlong(points, 1), extentAlong(points, 2)};
-}
-
-bool
-exceedsBuildings(const Eigen::Vector3d& extents, const Priors& priors)
-{
-  return extents.z() > priors.max_building_height ||
-         std::min(extents.x(), extents.y()) > priors.max_building_extent;
 }
 
 } // namespace
@@ -67,26 +54,23 @@ scanProblem(const PointView& points,
     return formatText("%.0f of %.0f points are finite, a room needs at least %.0f",
                       static_cast<double>(finite), static_cast<double>(size),
                       static_cast<double>(fewest));
-  const Eigen::Vector3d extents = extentsOf(sample);
-  const double x = extents.x();
-  const double y = extents.y();
-  const double z = extents.z();
-  if (exceedsBuildings(extents, priors)) {
+  const double x = extentAlong(sample, 0);
+  const double y = extentAlong(sample, 1);
+  const double z = extentAlong(sample, 2);
+  if (z > priors.max_building_height || std::min(x, y) > priors.max_building_extent) {
     // The unit in which the scan would have the height of a building.
     const bool is_centimetre = z < 10 * priors.max_building_height &&
                                std::min(x, y) < priors.max_building_extent;
-    return formatText(
-        is_centimetre ? "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                        "the centimetre, scale it by 0.01 (--unit 0.01 in pcl_sedr)"
-                      : "the scan is %.0f x %.0f x %.0f m large: if its unit is "
-                        "the millimetre, scale it by 0.001 (--unit 0.001 in pcl_sedr)",
-        x, y, z);
+    const char* const scale = is_centimetre ? "0.01" : "0.001";
+    return formatText("the scan is %.0f x %.0f x %.0f m large: if its unit is the %s, "
+                      "scale it by %s (--unit %s in pcl_sedr)",
+                      x, y, z, is_centimetre ? "centimetre" : "millimetre", scale,
+                      scale);
   }
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
     return formatText(
-        "the scan is %.3f x %.3f x %.3f m large, too small for a room: its "
-        "unit must be "
-        "the metre",
+        "the scan is %.3f x %.3f x %.3f m large, too small for a room: its unit must "
+        "be the metre",
         x, y, z);
   return {};
 }
@@ -254,22 +238,16 @@ missingSurfaces(const PointView& points,
 std::string
 inchProblem(const PointView& points, std::size_t storeys)
 {
-  constexpr float lowest = 60;   // metres, if the metre is the unit
-  constexpr float highest = 200; // above, the check of the scan detects the unit
-  constexpr float max_a_storey = 30;
-  std::vector<float> heights;
+  constexpr double lowest = 60;   // metres, if the metre is the unit
+  constexpr double highest = 200; // above, the check of the scan detects the unit
+  constexpr double max_a_storey = 30;
+  std::vector<Eigen::Vector3f> finite;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points.isFinite(i))
-      heights.push_back(points[i].z());
-  if (heights.empty())
-    return {};
-  const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 10);
-  std::nth_element(heights.begin(), heights.begin() + cut, heights.end());
-  const float low = heights[static_cast<std::size_t>(cut)];
-  std::nth_element(heights.begin(), heights.end() - 1 - cut, heights.end());
-  const float height = *(heights.end() - 1 - cut) - low;
+      finite.push_back(points[i]);
+  const double height = finite.empty() ? 0 : extentAlong(finite, 2, 10);
   if (!(height > lowest && height < highest &&
-        height > max_a_storey * static_cast<float>(storeys)))
+        height > max_a_storey * static_cast<double>(storeys)))
     return {};
   return "the scan is " + std::to_string(std::lround(height)) +
          " m high: if its unit is the inch, scale it by 0.0254 (--unit 0.0254 in "

@@ -128,11 +128,12 @@ patchNormals(const PointView& points,
              double patch,
              unsigned threads)
 {
-  const std::vector<Eigen::Vector3d> here =
-      normalsOf(points, indices, turn, patch, threads);
-  const std::vector<Eigen::Vector3d> beside =
-      normalsOf(points, indices, turn, patch, threads, 0.5);
-  return beside.size() < here.size() ? beside : here;
+  const auto here = planesOf(points, indices, turn, patch, threads);
+  const auto beside = planesOf(points, indices, turn, patch, threads, 0.5);
+  std::vector<Eigen::Vector3d> normals;
+  for (const PlanePatch& plane : beside.size() < here.size() ? beside : here)
+    normals.push_back(plane.normal);
+  return normals;
 }
 
 } // namespace

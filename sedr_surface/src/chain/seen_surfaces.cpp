@@ -14,13 +14,14 @@ namespace {
 
 constexpr double told_share = 0.01; ///< of all surfaces of a room
 
-/** @brief Returns the bit of a height in steps, 0 beyond 64 of them. */
-std::uint64_t
+/** @brief Returns the bit of a height in steps, none beyond all of them. */
+HeightSteps
 stepAt(double height, double step)
 {
-  return height > 0 && height < 64 * step
-             ? std::uint64_t{1} << static_cast<unsigned>(height / step)
-             : 0;
+  HeightSteps bit;
+  if (height > 0 && height < static_cast<double>(bit.size()) * step)
+    bit.set(static_cast<std::size_t>(height / step));
+  return bit;
 }
 
 } // namespace
@@ -235,7 +236,7 @@ SeenSurfaces::addOff(const Eigen::Vector3d& p, std::size_t room)
   const double below = off.ceiling - p.z();
   if (below <= std::max(off_wall, sigmas * lookup.room().ceiling.residual))
     return;
-  const std::uint64_t step = stepAt(below, wall_tile);
+  const HeightSteps step = stepAt(below, wall_tile);
   off.heights |= off.once & step; // one may lie between two surfaces
   off.once |= step;
 }
@@ -243,18 +244,17 @@ SeenSurfaces::addOff(const Eigen::Vector3d& p, std::size_t room)
 void
 SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const
 {
-  constexpr std::uint64_t top = 3;     // steps: what is seen there meets the ceiling
-  constexpr std::uint64_t band = 0x3f; // in which walls are looked for
+  constexpr HeightSteps top = 3;     // what is seen there meets the ceiling
+  constexpr HeightSteps band = 0x3f; // in which walls are looked for
   std::vector<CellValue> steps;
   for (const auto& [key, off] : off_[room])
-    if ((off.heights & band) != 0)
-      steps.emplace_back(key, __builtin_popcountll((off.heights & top) != 0
-                                                       ? off.heights
-                                                       : off.heights & band));
+    if ((off.heights & band).any())
+      steps.emplace_back(
+          key, ((off.heights & top).any() ? off.heights : off.heights & band).count());
   const CellRegions regions = labelRegions(cellsOf(steps));
   std::vector<double> meets(regions.sizes.size(), 0); // metres
   for (std::size_t k = 0; k < steps.size(); ++k)
-    if ((off_[room].at(steps[k].first).heights & top) != 0)
+    if ((off_[room].at(steps[k].first).heights & top).any())
       meets[regions.label[k]] += wall_tile;
   const PlanRoom& plan = rooms_[room].room();
   const auto isTold = [&](const Eigen::Vector2d& at) { // as before a wall
@@ -285,13 +285,13 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
   constexpr double high = 0.9;     // likewise of the lowest half wall
   constexpr double shortest = 1;   // metres; leaves of doors are shorter
   constexpr double thickest = 0.3; // metres, with a tile
-  constexpr std::uint64_t top = 3; // steps
+  constexpr HeightSteps top = 3;
   const RoomLookup& lookup = rooms_[room];
   const auto seenBetween = [&](CellKey key, const OffModel& off) {
     const double height = off.ceiling - lookup.floorAt(tiles_.centre(cellOf(key)));
     std::pair<int, int> steps{0, 0}; // seen, and all
     for (double z = low + wall_tile / 2; z < high; z += wall_tile) {
-      steps.first += (off.once & stepAt(height - z, wall_tile)) != 0 ? 1 : 0;
+      steps.first += (off.once & stepAt(height - z, wall_tile)).any() ? 1 : 0;
       ++steps.second;
     }
     return steps;
@@ -321,8 +321,12 @@ SeenSurfaces::tellHalfWalls(std::size_t room, std::vector<PlanWarning>& warnings
     const Eigen::Vector2d at = tiles_.centre(cellOf(key));
     const double height = off.ceiling - lookup.floorAt(at);
     const auto [seen, all] = seenBetween(key, off);
-    if (seen > 0 && seen >= all - 1 && (off.once & top) == 0 && isThin(at))
-      heights.emplace_back(key, height - wall_tile * __builtin_ctzll(off.once));
+    if (seen == 0 || seen < all - 1 || (off.once & top).any() || !isThin(at))
+      continue;
+    std::size_t first = 0;
+    while (!off.once[first])
+      ++first;
+    heights.emplace_back(key, height - wall_tile * static_cast<double>(first));
   }
   const CellSet cells = cellsOf(heights);
   const CellRegions regions = labelRegions(cells);

@@ -13,9 +13,9 @@
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_segmentation/building.h>
 
+#include <bitset>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <limits>
 #include <map>
@@ -32,6 +32,8 @@ constexpr double wall_tile = 0.1;  ///< metres
 constexpr double relief = 0.15;    ///< metres; furniture is deeper
 constexpr double reach = 0.9;      ///< beyond floors and ceilings, metres
 constexpr double min_strip = 0.5;  ///< of what is told, metres of tiles
+
+using HeightSteps = std::bitset<128>; ///< of tiles: the air of a room is 12 m high
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double sigmas = 3; ///< of noise, off a surface
 
@@ -93,7 +95,7 @@ private:
     double tolerance;                ///< of the points on it, metres
     std::vector<VerticalSpan> spans; ///< of each tile along it
     /** @brief Of each tile along it a bit each 5 cm, without those at both its ends. */
-    std::vector<std::uint64_t> seen{};
+    std::vector<HeightSteps> seen{};
   };
 
   /** @brief Checks whether a point lies on vertical surfaces, and counts it for them.
@@ -143,9 +145,9 @@ private:
   PlaceTable verticals_near_;
   /** @brief What is seen off all surfaces in one tile of a room. */
   struct OffModel {
-    double ceiling = 0; ///< the lowest in and beside the tile: no step stands out
-    std::uint64_t heights = 0; ///< of two points, in steps of a tile below the ceiling
-    std::uint64_t once = 0;    ///< of one point and more
+    double ceiling = 0;  ///< the lowest in and beside the tile: no step stands out
+    HeightSteps heights; ///< of two points, in steps of a tile below the ceiling
+    HeightSteps once;    ///< of one point and more
   };
   std::vector<std::map<CellKey, OffModel>> off_; ///< of each room
 };

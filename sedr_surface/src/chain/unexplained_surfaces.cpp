@@ -23,13 +23,14 @@ struct SeenSteps {
   double seen = 0;
   double all = 0;
 
-  void add(const VerticalSpan& span, std::uint64_t of_tile)
+  void add(const VerticalSpan& span, const HeightSteps& of_tile)
   {
     // Four fifths of a step are as good as a whole one.
     const double whole = (span.high - span.low) / off_wall - 2 + 0.2;
-    const auto steps = static_cast<unsigned>(std::clamp(whole, 0.0, 64.0));
-    all += steps;
-    seen += steps == 0 ? 0 : __builtin_popcountll(of_tile << (64 - steps));
+    const auto steps =
+        std::min(static_cast<std::size_t>(std::max(whole, 0.0)), of_tile.size());
+    all += static_cast<double>(steps);
+    seen += static_cast<double>((of_tile << (of_tile.size() - steps)).count());
   }
 
   double share() const { return all > 0 ? seen / all : 0; }

@@ -132,7 +132,7 @@ boxIn(const Floorplan& plan,
   Eigen::AlignedBox2d across;
   if (element.isArc()) {
     const auto [inner, outer] =
-        std::minmax(element.radius, farSideOf(plan, written.wall).radius);
+        std::minmax({element.radius, farSideOf(plan, written.wall).radius});
     const double side = std::max(std::abs(a), std::abs(b));
     across.extend(
         Eigen::Vector2d(0, std::sqrt(std::max(inner * inner - side * side, 0.0))));

@@ -35,7 +35,8 @@ wallWeights()
                                 {"log_error", -1.39},
                                 {"two_faces", 1.14},
                                 {"off", -0.89},
-                                {"passed", -5.0}}}; // odd scenes, odd_scenes.py
+                                {"passed", -5.0},    // odd scenes, odd_scenes.py
+                                {"in_line", -3.5}}}; // likewise
   return weights;
 }
 
@@ -46,7 +47,8 @@ openingWeights()
                                {{"log_confidence", 0.34},
                                 {"log_error", -0.97},
                                 {"two_faces", 1.10},
-                                {"unknown_kind", -0.93}}};
+                                {"unknown_kind", -0.93},
+                                {"unseen_jamb", -1.6}}};
   return weights;
 }
 
@@ -107,14 +109,20 @@ std::vector<Certainty>
 certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
 {
   using Wall = std::pair<std::uint32_t, std::size_t>;
-  std::map<Wall, double> off;    // square metres
-  std::map<Wall, double> passed; // metres under a ceiling that goes on
-  for (const PlanWarning& warning : warnings)
-    if (warning.kind == WarningKind::WallOff) {
-      const Wall wall{warning.room, warning.wall};
-      off[wall] += warning.values.empty() ? 0 : warning.values[0];
-      passed[wall] += warning.values.size() > 2 ? warning.values[2] : 0;
-    }
+  struct Told {
+    double off = 0;     // square metres
+    double passed = 0;  // metres under a ceiling that goes on
+    double in_line = 0; // whether the edge of a soffit goes on along it
+  };
+  std::map<Wall, Told> told;
+  for (const PlanWarning& warning : warnings) {
+    Told& of_wall = told[{warning.room, warning.wall}];
+    const std::vector<double>& values = warning.values;
+    const bool is_off = warning.kind == WarningKind::WallOff;
+    of_wall.off += is_off && !values.empty() ? values[0] : 0;
+    of_wall.passed += is_off && values.size() > 2 ? values[2] : 0;
+    of_wall.in_line = warning.kind == WarningKind::InLine ? 1 : of_wall.in_line;
+  }
   std::vector<double> errors;
   bool is_any_known = false;
   for (const PlanRoom& room : plan.rooms)
@@ -139,18 +147,20 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
       if (!(shares.area > 0))
         continue;
       const double error = wall.accuracy.standard_error;
-      walls.push_back(
-          certaintyBy(wallWeights(),
-                      {std::to_string(room.id) + "." + std::to_string(e + 1),
-                       room.id,
-                       e,
-                       area,
-                       {std::log(std::max(wall.length(), 0.01)), shares.measured,
-                        error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
-                        thicknesses[r][e] > 0 ? 1.0 : 0.0,
-                        std::min(off[{room.id, e + 1}] / shares.area, 1.0),
-                        std::min(passed[{room.id, e + 1}] / wall.length(), 1.0)}},
-                      error));
+      const Told& of_wall = told[{room.id, e + 1}];
+      walls.push_back(certaintyBy(
+          wallWeights(),
+          {std::to_string(room.id) + "." + std::to_string(e + 1),
+           room.id,
+           e,
+           area,
+           {std::log(std::max(wall.length(), 0.01)), shares.measured,
+            error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
+            thicknesses[r][e] > 0 ? 1.0 : 0.0, std::min(of_wall.off / shares.area, 1.0),
+            // Below the head of a window it goes on as well.
+            std::min(of_wall.passed / wall.length(), 1.0) * shares.area / area,
+            of_wall.in_line}},
+          error));
       if (wall.is_confirmed)
         walls.back().within.fill(1);
     }
@@ -177,7 +187,9 @@ certaintyOfOpenings(const Floorplan& plan)
            k,
            opening.width() * opening.height(),
            {std::log(sure / (1 - sure)), error, opening.walls.size() > 1 ? 1.0 : 0.0,
-            opening.kind == OpeningKind::Unknown ? 1.0 : 0.0}}));
+            opening.kind == OpeningKind::Unknown ? 1.0 : 0.0,
+            static_cast<double>(opening.widthError() > 0 &&
+                                opening.jambsSeen() == EdgeSeen::Nothing)}}));
       if (opening.is_confirmed)
         openings.back().within.fill(1);
     }

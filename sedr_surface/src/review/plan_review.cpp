@@ -129,20 +129,38 @@ public:
     }
   }
 
-  /** @brief Moves the doubts into a review, and what puts nothing at stake in
-   * particular into its remarks. */
+  /** @brief Moves the doubts into a review, each with the lesser ones beside it, and
+   * what puts nothing at stake in particular into its remarks. */
   void moveTo(PlanReview& review)
   {
+    const auto isLess = [](const PlanDoubt& a, const PlanDoubt& b) {
+      return a.stake > b.stake;
+    };
+    std::stable_sort(
+        drafts_.begin(), drafts_.end(),
+        [&](const Draft& a, const Draft& b) { return isLess(a.doubt, b.doubt); });
     std::vector<PlanDoubt>& doubts = review.doubts;
-    for (Draft& draft : drafts_) {
-      draft.doubt.text = textOf(draft);
-      if (draft.doubt.subject.empty() && draft.doubt.extent == Stake::None)
-        review.remarks.push_back(std::move(draft.doubt.text));
-      else
-        doubts.push_back(std::move(draft.doubt));
+    for (const Draft& draft : drafts_) {
+      const PlanDoubt& doubt = draft.doubt;
+      const auto place =
+          std::find_if(doubts.begin(), doubts.end(), [&](const PlanDoubt& known) {
+            return isOfAPart(known) && isOfAPart(doubt) &&
+                   (known.at - doubt.at).norm() < same_place;
+          });
+      if (doubt.subject.empty() && doubt.extent == Stake::None)
+        review.remarks.push_back(textOf(draft, draft.act));
+      else if (place == doubts.end()) {
+        doubts.push_back(doubt);
+        doubts.back().text = textOf(draft, draft.act);
+      }
+      else {
+        place->stake += doubt.stake;
+        place->kinds.insert(place->kinds.end(), doubt.kinds.begin(), doubt.kinds.end());
+        place->beside.push_back(doubt.subject);
+        place->text += textOf(draft, "; beside it");
+      }
     }
-    std::stable_sort(doubts.begin(), doubts.end(),
-                     [](const auto& a, const auto& b) { return a.stake > b.stake; });
+    std::stable_sort(doubts.begin(), doubts.end(), isLess);
   }
 
 private:
@@ -228,10 +246,15 @@ private:
     return nullptr;
   }
 
-  static std::string textOf(const Draft& draft)
+  static bool isOfAPart(const PlanDoubt& doubt)
+  {
+    return !doubt.subject.empty() && doubt.extent != Stake::Room &&
+           doubt.extent != Stake::Plan;
+  }
+
+  static std::string textOf(const Draft& draft, std::string text)
   {
     const std::string& subject = draft.doubt.subject;
-    std::string text = draft.act;
     text += (text.empty() || subject.empty() ? "" : " ") + subject;
     if (draft.certainty)
       text += ", " + percentText(draft.certainty->right()) + " sure";
@@ -251,12 +274,13 @@ PlanReview
 reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
 {
   PlanReview review;
-  review.walls = certaintyOfWalls(plan, warnings);
+  std::vector<PlanWarning> all = unlikelyPlaces(plan);
+  all.insert(all.begin(), warnings.begin(), warnings.end());
+  review.walls = certaintyOfWalls(plan, all);
   review.openings = certaintyOfOpenings(plan);
   Doubts doubts(plan);
-  for (const auto& list : {warnings, unlikelyPlaces(plan)})
-    for (const PlanWarning& warning : list)
-      doubts.add(warning);
+  for (const PlanWarning& warning : all)
+    doubts.add(warning);
   doubts.add(review);
   doubts.moveTo(review);
   setVerdict(plan, review);
@@ -264,11 +288,12 @@ reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings)
 }
 
 std::set<std::string>
-leadingSubjects(const std::vector<PlanDoubt>& doubts)
+leadingSubjects(const std::vector<PlanDoubt>& doubts, std::size_t most)
 {
   std::set<std::string> subjects;
-  for (std::size_t k = 0; k < std::min(leading_doubts, doubts.size()); ++k)
-    subjects.insert(doubts[k].subject);
+  for (std::size_t k = 0; k < std::min(most, doubts.size()); ++k)
+    for (const auto& names : {std::vector{doubts[k].subject}, doubts[k].beside})
+      subjects.insert(names.begin(), names.end());
   return subjects;
 }
 

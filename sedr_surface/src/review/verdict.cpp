@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <set>
+#include <string>
 
 namespace pcl::sedr {
 
@@ -76,9 +78,12 @@ setVerdict(const Floorplan& plan, PlanReview& review)
   const std::size_t most = std::min(leading_doubts, review.doubts.size());
   double left = stakeOf(first, end) / all;
   const auto isLikelyWrong = [&](const PlanDoubt& doubt) {
-    const std::string name = doubt.subject.substr(doubt.subject.find(' ') + 1);
+    const std::set<std::string> subjects = leadingSubjects({doubt});
     const auto isOf = [&](const Certainty& certainty) {
-      return certainty.right() < 0.5 && certainty.element == name;
+      return certainty.right() < 0.5 &&
+             std::any_of(subjects.begin(), subjects.end(), [&](const auto& subject) {
+               return subject.substr(subject.find(' ') + 1) == certainty.element;
+             });
     };
     return std::any_of(review.walls.begin(), review.walls.end(), isOf) ||
            std::any_of(review.openings.begin(), review.openings.end(), isOf) ||

@@ -405,7 +405,7 @@ def lecture_steps(s):
         s.room["floor_details"].append({"loop": rectangle(front, 0, back, s.y), "rise": floor})
         for name, at, depth, height in (("desk", 0.25, s.between(0.35, 0.5), 0.74), ("bench", 0.7, 0.3, 0.45)):
             if front + at + depth / 2 < back:
-                s.room["furniture"].append({"block": {"name": name, "at": [round(front + at, 3), round(s.y / 2, 3)], "raise": floor,
+                s.room["furniture"].append({"block": {"name": name, "at": [round(front + at, 3), round(s.y / 2, 3)],
                                                       "size": [depth, round(s.y - s.between(1, 1.8), 3), height]}})
     s.stations = [[first * 0.35, s.y * 0.3, 1.5], [first * 0.6, s.y * 0.7, 1.5], [s.x - 0.3, s.y * 0.5, floor + 1.3]]
 

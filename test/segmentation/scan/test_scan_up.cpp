@@ -153,6 +153,15 @@ TEST(ScanUp, BarsFromWallToWallAreOfACeilingIfTheyLeaveHeadroomThingsAreOfAFloor
     }
 }
 
+TEST(ScanUp, DesksFromWallToWallBelowAHighCeilingAreHardlyBeams)
+{
+  RoomPoints room(0.05);
+  room.room(rectangle(0, 0, 9, 5), 0, 4.2);
+  for (const double x : {4.0, 6.0})
+    room.slab(rectangle(x, 0, x + 0.4, 5), 0.75);
+  EXPECT_LT(doubtOf(room).nats, UpDoubt::certain);
+}
+
 TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
 {
   for (const Eigen::Vector3d& size :

@@ -20,11 +20,12 @@ TEST(Certainty, SignsAreWhatTheScanShowsOfAWall)
   wall.accuracy.standard_error = 0.006; // three times that of the others
   const auto walls = certaintyOfWalls(plan, {{WarningKind::WallOff, {2, -7}, 1, 3},
                                              {WarningKind::WallOff, {1, 9}, 1, 3},
+                                             {WarningKind::InLine, {2}, 1, 3},
                                              {WarningKind::WallOff, {1, 9}, 1, 0}});
   ASSERT_EQ(walls.size(), 4u);
   EXPECT_EQ(walls[2].element, "1.3");
   EXPECT_NEAR(walls[2].area, 10, 1e-9);
-  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0, 0.3, 0};
+  const std::vector<double> truth{std::log(4), 0.5, 1, std::log(3), 0, 0.3, 0, 1};
   ASSERT_EQ(walls[2].signs.size(), truth.size());
   EXPECT_EQ(wallSigns().size(), truth.size());
   for (std::size_t k = 0; k < truth.size(); ++k)
@@ -39,7 +40,7 @@ TEST(Certainty, OfAWallBehindWhichItsCeilingGoesOnIsLittle)
   };
   EXPECT_GT(of({10, -38}).right(), 0.5) << "as much is seen behind it";
   EXPECT_LT(of({10, -38, 4}).right(), 0.5);
-  EXPECT_NEAR(of({2.5, -38, 1}).signs.back(), 0.25, 1e-9) << "of its length";
+  EXPECT_NEAR(*(of({2.5, -38, 1}).signs.rbegin() + 1), 0.25, 1e-9) << "of its length";
 }
 
 TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
@@ -50,6 +51,9 @@ TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)
   const double best = of(measuredRoom(), 0);
   EXPECT_GT(best, 0.95);
   EXPECT_LT(of(measuredRoom(), 5), best);
+  EXPECT_LT(
+      certaintyOfWalls(measuredRoom(), {{WarningKind::InLine, {4}, 1, 3}})[2].right(),
+      best);
   Floorplan plan = measuredRoom();
   PlanElement& wall = plan.rooms[0].boundary.elements[2];
   wall.accuracy.standard_error = 0.03;
@@ -80,6 +84,8 @@ TEST(Certainty, OfOpeningsFollowsTheirEdges)
   EXPECT_EQ(door.signs.size(), openingSigns().size());
   EXPECT_GT(door.right(), 0.8);
   EXPECT_LT(doors[0].right(), 0.6);
+  plan.openings[2].edges = {{{EdgeSeen::Nothing, 0.07}, {EdgeSeen::Rim, 0.01}}};
+  EXPECT_LT(certaintyOfOpenings(plan)[2].right(), door.right() - 0.1);
 }
 
 TEST(Certainty, NothingIsSaidOfWhatIsNotKnown)

@@ -171,6 +171,30 @@ TEST(PlanReview, DoubtsOfARoomAreOneAPlace)
   EXPECT_EQ(review.doubts[2].at, Eigen::Vector2d(3.5, 2));
 }
 
+TEST(PlanReview, WallsAMetreFromEachOtherAreOneDoubtThatNamesThemAll)
+{
+  Floorplan plan =
+      measuredRoom(polygon({{0, 0}, {12, 0}, {12, 9}, {6, 9}, {6, 8.5}, {0, 8.5}}));
+  hideWall(plan, 4);
+  const std::vector<PlanWarning> off{
+      {WarningKind::WallOff, {4, -7}, 1, 3, "", {6.4, 9}},
+      {WarningKind::WallOff, {2, -7}, 1, 1, "", {5, 0}},
+      {WarningKind::WallOff, {0.4, -7}, 1, 0, "", {5.5, 0}}};
+  const PlanReview review = reviewOf(plan, off);
+  ASSERT_EQ(review.doubts.size(), 2u);
+  const PlanDoubt& corner = review.doubts[0];
+  EXPECT_EQ(corner.subject, "wall 1.4");
+  EXPECT_EQ(corner.beside, std::vector<std::string>{"wall 1.3"});
+  EXPECT_TRUE(says(corner.text, "; beside it wall 1.3, "));
+  EXPECT_NEAR(corner.stake,
+              review.walls[2].area * (1 - review.walls[2].right()) +
+                  review.walls[3].area * (1 - review.walls[3].right()),
+              1e-9);
+  EXPECT_EQ(review.doubts[1].beside, std::vector<std::string>{"column of room 1"});
+  EXPECT_EQ(leadingSubjects(review.doubts).count("wall 1.3"), 1u);
+  EXPECT_EQ(leadingSubjects({corner}, 0).size(), 0u);
+}
+
 TEST(PlanReview, ANarrowDoorIsADoubtOfTheDoor)
 {
   Floorplan plan = measuredRoom();

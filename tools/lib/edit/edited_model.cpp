@@ -320,9 +320,7 @@ undoEdit(const std::string& path)
 {
   const std::string ending = nextEnding(path).substr(1); // the one before
   EditedModel model(path, ending.empty() ? "~" : ending);
-  const Json doubts = model.report.value("doubts", Json::array());
-  for (std::size_t k = 0; k < std::min(leading_doubts, doubts.size()); ++k)
-    model.files.doubted.insert(doubts[k].value("subject", ""));
+  model.files.doubted = subjectsIn(model.report);
   model.writePlan();
   model.write("floorplan.json", model.plan_text);
   return model.finish({"floorplan.json" + ending, "report.json" + ending});

@@ -190,6 +190,7 @@ doubtsOf(const std::vector<PlanDoubt>& list)
     for (const WarningKind kind : doubt.kinds)
       kinds.push_back(nameOf(kind));
     doubts.push_back({{"subject", doubt.subject},
+                      {"beside", doubt.beside},
                       {"room", doubt.room},
                       {"at", placeOf(doubt.at)},
                       {"stake", doubt.stake},

@@ -10,14 +10,13 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_drawing.h>
-#include <pcl/sedr_surface/plan_review.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +24,16 @@
 namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
+
+std::set<std::string>
+subjectsIn(const nlohmann::ordered_json& report, std::size_t most)
+{
+  std::vector<PlanDoubt> doubts;
+  for (const auto& doubt : report.value("doubts", nlohmann::ordered_json::array()))
+    doubts.push_back({doubt.value("subject", ""),
+                      doubt.value("beside", std::vector<std::string>())});
+  return leadingSubjects(doubts, most);
+}
 
 namespace {
 
@@ -90,10 +99,8 @@ drawings(const PlanDocument& file, const Json& report)
   DrawingSettings settings;
   settings.max_wall = file.max_wall;
   settings.paper = PaperSize::A4;
-  std::set<std::string> doubted;
-  for (const Json& doubt : report.value("doubts", Json::array()))
-    doubted.insert(doubt.value("subject", ""));
-  settings.is_numbered = wallsAmong(std::move(doubted));
+  settings.is_numbered =
+      wallsAmong(subjectsIn(report, std::numeric_limits<std::size_t>::max()));
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
     settings.storey = storeys.size() > 1 ? &storey : nullptr;

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_surface/plan_review.h>
+
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
+#include <set>
 #include <string>
 
 namespace pcl::sedr::tools {
+
+/** @brief Returns the subjects of the first `most` doubts that a report.json tells. */
+std::set<std::string> subjectsIn(const nlohmann::ordered_json& report,
+                                 std::size_t most = leading_doubts);
 
 /** @brief Settings of a page. */
 struct PageSettings {

@@ -96,9 +96,10 @@ constexpr std::size_t leading_doubts = 10; ///< as many head a report
 
 /** @brief A place of a plan to look at, with all that is doubted there. */
 struct PlanDoubt {
-  std::string subject;    ///< "wall 7.8", "door D3", "room 4"; empty: the whole
-  std::uint32_t room = 0; ///< 0: not of one room
-  Eigen::Vector2d at =    ///< in plan; NaN if it has no place
+  std::string subject; ///< "wall 7.8", "door D3", "room 4"; empty: the whole
+  std::vector<std::string> beside{}; ///< others within a metre, told with it
+  std::uint32_t room = 0;            ///< 0: not of one room
+  Eigen::Vector2d at =               ///< in plan; NaN if it has no place
       Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   double stake = 0;                 ///< square metres times odds of being wrong
   Stake extent = Stake::None;       ///< Room, Plan: its parts may be doubted too
@@ -124,7 +125,8 @@ struct PlanReview {
 /** @brief Returns the review of a plan.
  *
  * Warnings of one wall, opening or room at one place are one doubt, and so are walls
- * and openings that are less than 90 % sure. So many of the first ten are to be checked
+ * and openings that are less than 90 % sure; within a metre all are one, but for those
+ * of whole rooms. So many of the first ten are to be checked
  * that the rest puts 2 % of walls and floors at stake and has no wall or opening among
  * these ten that is rather wrong than right, nor a room without a way in; if all but
  * unit and up put more than a tenth at stake, scanning again is better. A room and its
@@ -135,7 +137,8 @@ struct PlanReview {
 PlanReview reviewOf(const Floorplan& plan, const std::vector<PlanWarning>& warnings);
 
 /** @brief Returns the subjects of the doubts that head a report. */
-std::set<std::string> leadingSubjects(const std::vector<PlanDoubt>& doubts);
+std::set<std::string> leadingSubjects(const std::vector<PlanDoubt>& doubts,
+                                      std::size_t most = leading_doubts);
 
 /** @brief Returns which walls are among subjects of doubts, for drawings: see
  * DrawingSettings::is_numbered. */
