@@ -2,11 +2,9 @@
 #include "storey_line.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pcl::sedr {
@@ -121,13 +119,11 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
   const auto near = [](const CellMask& cells) {
     return dilated(cells, 1.5); // cells: also across corners
   };
-  std::vector<Eigen::Vector2d> parts;
   std::vector<Eigen::Vector2d> places;
   for (const std::size_t r : storey.storey.rooms) {
     const RoomCells& room = storey.cells[r];
     wall_rooms_.resize(wall_rooms_.size() + room.wall_points.size(),
                        static_cast<std::uint32_t>(r));
-    parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
     for (const Eigen::Vector3f& p : room.height_points) {
       places.emplace_back(p.head<2>().cast<double>());
       heights_.push_back(p.z());
@@ -135,7 +131,6 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
-  parts_ = PlanPoints(parts, 2 * StoreyLine::bin);
   height_points_ = PlanPoints(places, 2 * StoreyLine::bin);
 }
 
@@ -216,24 +211,23 @@ LineEvidence::observe(StoreyLine& line) const
 void
 LineEvidence::findHeights(StoreyLine& line) const
 {
-  using Levels = std::uint16_t; // a bit for each of as many shares of the height
-  const int count = std::numeric_limits<Levels>::digits;
-  std::vector<Levels> levels(line.any.size(), 0);
+  line.part.assign(line.any.size(), 0);
+  std::array<std::vector<float>, 16> levels; // as many shares of the height
+  levels.fill(line.part);
+  const auto count = static_cast<float>(levels.size());
   forEachOn(line, height_points_, [&](std::size_t k, std::size_t i, double, double) {
-    const auto level =
-        static_cast<int>(heights_[height_points_.given(k)] * static_cast<float>(count));
-    levels[i] = static_cast<Levels>(levels[i] | 1U << std::min(level, count - 1));
+    const float level = heights_[height_points_.given(k)] * count;
+    levels[static_cast<std::size_t>(std::min(level, count - 1))][i] = 1;
   });
-  std::vector<float> shares;
-  forWindows(levels, hole, [&](auto first, auto last) {
-    const unsigned near = std::accumulate(first, last, 0U, std::bit_or<>());
-    shares.push_back(static_cast<float>(__builtin_popcount(near)) /
-                     static_cast<float>(count));
-  });
+  for (std::vector<float>& level : levels) {
+    clean(level); // also of walls across
+    for (std::size_t i = 0; i < level.size(); ++i)
+      line.part[i] += level[i] / count;
+  }
   // Beside its windows a wall is seen from floor to ceiling.
   const auto reach = static_cast<std::ptrdiff_t>(max_gap / StoreyLine::bin);
   line.height.clear();
-  forWindows(shares, reach, [&](auto first, auto last) {
+  forWindows(line.part, reach, [&](auto first, auto last) {
     line.height.push_back(*std::max_element(first, last));
   });
 }
@@ -284,10 +278,6 @@ LineEvidence::findBetween(StoreyLine& line) const
   const std::vector<double> since = waysToSurface(line.tall, true);
   const std::vector<double> until = waysToSurface(line.tall, false);
   const double support = line.support();
-  line.part.assign(bins, 0);
-  forEachOn(line, parts_,
-            [&](std::size_t, std::size_t i, double, double) { line.part[i] = 1; });
-  clean(line.part);
   line.between.assign(bins, StoreyLine::Between::Beyond);
   for (std::size_t i = 0; i < bins; ++i) {
     const double gap = since[i] + until[i];
