@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits the odds that two parts of the air are one room: border_odds.py FOLDER..., each with scan.pcd and truth.json as
-random_buildings.py --keep leaves them, by what room_basins tells of the scan (SEDR_BUILD_BENCHMARKS; --bin names it).
+random_buildings.py --keep-failures leaves them, by what room_basins tells of the scan (SEDR_BUILD_BENCHMARKS; --bin names it).
 
 Basins of one true room are joined, the most open border first; every border met on the way, of basins that are to 80 % of
 one true room, is an example. It counts by the root of what a mistake would cost: its length and the area of its smaller part,

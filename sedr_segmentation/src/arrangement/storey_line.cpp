@@ -65,17 +65,6 @@ waysToSurface(const std::vector<float>& tall, bool back)
   return ways;
 }
 
-/** @brief Calls `visit(first, last)` for each value with those up to `reach` beside it.
- */
-template <typename Value, typename Visitor>
-void
-forWindows(const std::vector<Value>& values, std::ptrdiff_t reach, Visitor visit)
-{
-  for (auto at = values.begin(); at != values.end(); ++at)
-    visit(at - std::min(reach, at - values.begin()),
-          at + std::min(reach + 1, values.end() - at));
-}
-
 } // namespace
 
 double
@@ -227,9 +216,10 @@ LineEvidence::findHeights(StoreyLine& line) const
   // Beside its windows a wall is seen from floor to ceiling.
   const auto reach = static_cast<std::ptrdiff_t>(max_gap / StoreyLine::bin);
   line.height.clear();
-  forWindows(line.part, reach, [&](auto first, auto last) {
-    line.height.push_back(*std::max_element(first, last));
-  });
+  for (auto at = line.part.begin(); at != line.part.end(); ++at)
+    line.height.push_back(
+        *std::max_element(at - std::min(reach, at - line.part.begin()),
+                          at + std::min(reach + 1, line.part.end() - at)));
 }
 
 void
