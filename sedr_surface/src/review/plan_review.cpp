@@ -145,7 +145,8 @@ public:
       const auto place =
           std::find_if(doubts.begin(), doubts.end(), [&](const PlanDoubt& known) {
             return isOfAPart(known) && isOfAPart(doubt) &&
-                   (known.at - doubt.at).norm() < same_place;
+                   (known.at - doubt.at).norm() < same_place &&
+                   isOnOneStorey(known.room, doubt.room);
           });
       if (doubt.subject.empty() && doubt.extent == Stake::None)
         review.remarks.push_back(textOf(draft, draft.act));
@@ -244,6 +245,13 @@ private:
       if (opening.kind == OpeningKind::Door && (opening.start + opening.end) / 2 == at)
         return &opening;
     return nullptr;
+  }
+
+  bool isOnOneStorey(std::uint32_t a, std::uint32_t b) const
+  {
+    const PlanRoom* const first = findRoom(plan_, a);
+    const PlanRoom* const second = findRoom(plan_, b);
+    return !first || !second || shareHeights(*first, *second);
   }
 
   static bool isOfAPart(const PlanDoubt& doubt)

@@ -9,18 +9,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(LoopDifference, ArcsStayArcs)
-{
-  // The segment of the unit circle beyond x = 0.5 spans 120 degrees.
-  const auto parts = difference(circle({0, 0}, 1), rectangle(0.5, -2, 2, 2));
-  ASSERT_EQ(parts.size(), 1u);
-  EXPECT_NEAR(parts[0].area(), M_PI - (M_PI / 3 - std::sqrt(3.0) / 4), 1e-9);
-  double along_arcs = 0;
-  for (const auto& e : parts[0].elements)
-    along_arcs += e.isArc() ? e.length() : 0;
-  EXPECT_NEAR(along_arcs, 4 * M_PI / 3, 1e-6);
-}
-
 TEST(LoopDifference, AnIntersectionIsWhatBothHold)
 {
   const PlanLoop loop = rectangle(0, 0, 4, 3);

@@ -105,6 +105,9 @@ TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloorsAndRaiseNone)
                    roomBetween(rectangle(0, 0.03, 20, 3.97), 2.7, 5.2, 2)}};
   shaft.rooms[0].details = {roofOver(rectangle(0, 0, 20, 4), 5, 0)};
   shaft.rooms[1].columns = {reversed(rectangle(4, 3, 4.8, 3.8))};
+  Floorplan round_void = hallBelowGallery();
+  round_void.rooms[0].details = {roofOver(rectangle(0, 0, 6, 4), 5, 0)};
+  round_void.rooms[1].boundary = bittenRectangle(6, 4, 1.2);
   Floorplan two = hallBelowGallery();
   two.rooms.push_back(roomBetween(rectangle(0, 0, 5.5, 4), 4, 6, 3));
   Floorplan highest_first = two;
@@ -123,6 +126,10 @@ TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloorsAndRaiseNone)
             {{4, 3.5, 2 + 4 / 6.0}, {4.9, 3, 2.69}, {5.99, 1, 2 + 5.99 / 6}},
             1},
            {"a piece beside strips stays", shaft, {{4.4, 3.4, 5}, {9, 2, 2.69}}, 2},
+           {"a round void",
+            round_void,
+            {{3, 1.15, 5}, {3.8, 0.8, 5}, {3.9, 0.9, 2.69}, {5.9, 0.1, 2.69}},
+            2},
            {"the lowest room counts", two, steps, 3},
            {"in any order", highest_first, steps, 3},
            {"the lowest part of a floor", pit, {{4.2, 2, 2.69}, {4.8, 2, 2.59}}, 3},

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <pcl/sedr_surface/plan_review.h>
 
+#include <algorithm>
 #include <string>
 
 namespace {
@@ -193,6 +194,14 @@ TEST(PlanReview, WallsAMetreFromEachOtherAreOneDoubtThatNamesThemAll)
   EXPECT_EQ(review.doubts[1].beside, std::vector<std::string>{"column of room 1"});
   EXPECT_EQ(leadingSubjects(review.doubts).count("wall 1.3"), 1u);
   EXPECT_EQ(leadingSubjects({corner}, 0).size(), 0u);
+  plan.rooms.push_back(plan.rooms[0]);
+  plan.rooms[1].id = 2;
+  plan.rooms[1].floor = slabAt(2.7);
+  plan.rooms[1].ceiling = slabAt(5.2);
+  const std::vector<PlanDoubt> doubts = reviewOf(plan, off).doubts;
+  EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(), [](const PlanDoubt& doubt) {
+    return doubt.subject == "wall 2.4" && doubt.beside.empty();
+  })) << "on another storey";
 }
 
 TEST(PlanReview, ANarrowDoorIsADoubtOfTheDoor)

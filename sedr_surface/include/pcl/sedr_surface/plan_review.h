@@ -125,9 +125,9 @@ struct PlanReview {
 /** @brief Returns the review of a plan.
  *
  * Warnings of one wall, opening or room at one place are one doubt, and so are walls
- * and openings that are less than 90 % sure; within a metre all are one, but for those
- * of whole rooms. So many of the first ten are to be checked
- * that the rest puts 2 % of walls and floors at stake and has no wall or opening among
+ * and openings that are less than 90 % sure; within a metre on one storey all are one,
+ * but for those of whole rooms. So many of the first ten are to be checked that the
+ * rest puts 2 % of walls and floors at stake and has no wall or opening among
  * these ten that is rather wrong than right, nor a room without a way in; if all but
  * unit and up put more than a tenth at stake, scanning again is better. A room and its
  * walls count once. Odds of walls and openings are fitted, see Certainty, and those of
