@@ -61,7 +61,7 @@ def measure(run, folder, options, row):
 
 
 def rows_of(run, folder, options):
-    """The row of a run, if it is not there yet."""
+    """Makes a run and yields its row."""
     first = key(*run, options)
     row = {"scene": first[0], "noise": run[1], "seed": run[2], "with_mesh": not options.no_mesh}
     try:
@@ -97,10 +97,15 @@ def main():
     parser.add_argument("--rays", type=int, default=0, help="rays a scanner position; 0: the scene's own")
     parser.add_argument("--keep", type=pathlib.Path, metavar="DIR", help="where the files of every run stay")
     options = parser.parse_args()
-    listed = runs.output_of([options.bin / "pcl_simulate_indoor_scan", "--list"])
+    try:
+        listed = runs.output_of([options.bin / "pcl_simulate_indoor_scan", "--list"])
+    except (OSError, RuntimeError) as error:
+        sys.exit(f"proving_ground.py: {error}; see --bin")
     known = [line.split()[0] for line in listed.splitlines() if line[:1].strip()]
     asked = [(scene, float(noise), int(seed)) for scene in (known if options.scenes == "all" else options.scenes.split(","))
              for noise in options.noise.split(",") for seed in options.seeds.split(",")]
+    if unknown := [scene for scene, *_ in asked if scene not in known and not scene.endswith(".json")]:
+        sys.exit(f"proving_ground.py: there is no scene '{unknown[0]}'; known are {', '.join(known)}, and files that end in .json")
     before = rows_before(options.csv)
     present = [[row[column] for column in COLUMNS[:4]] for row in before]
     new = [run for run in asked if key(*run, options) not in present]

@@ -19,8 +19,8 @@ struct EndSurface {
       0;            ///< entropy of its heights in steps of 0.1 m, nats: the mean of
                     ///< those of the first gaps of all columns, of the second ones, ...
   double large = 0; ///< share of pieces of 2 square metres and more
-  double things = 0;   ///< number of them; a third of those that leave headroom
-  double bars = 0;     ///< those as thin as walls with headroom; a third above doorways
+  double things = 0; ///< number of them; those that leave headroom count a third
+  double bars = 0; ///< thin as walls, with headroom; above doorways they count a third
   double relief = 0;   ///< share of steps of 3 cm in 10 cm within large pieces
   double stations = 0; ///< log-odds that scanners stand on it, not anywhere, nats
 };

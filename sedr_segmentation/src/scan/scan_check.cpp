@@ -16,8 +16,8 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the extent along an axis without one of so many points at each end.
- */
+/** @brief Returns the extent along an axis, without a share of the points at each end:
+ * one in `of`. */
 double
 extentAlong(const std::vector<Eigen::Vector3f>& points, int axis, std::size_t of = 100)
 {

@@ -33,7 +33,8 @@ constexpr double relief = 0.15;    ///< metres; furniture is deeper
 constexpr double reach = 0.9;      ///< beyond floors and ceilings, metres
 constexpr double min_strip = 0.5;  ///< of what is told, metres of tiles
 
-using HeightSteps = std::bitset<128>; ///< of tiles: the air of a room is 12 m high
+/** @brief A bit a step of height; 12.8 m in steps of a tile, rooms have up to 12 m. */
+using HeightSteps = std::bitset<128>;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double sigmas = 3; ///< of noise, off a surface
 

@@ -110,9 +110,9 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
 {
   using Wall = std::pair<std::uint32_t, std::size_t>;
   struct Told {
-    double off = 0;     // square metres
-    double passed = 0;  // metres under a ceiling that goes on
-    double in_line = 0; // whether the edge of a soffit goes on along it
+    double off = 0;          // square metres
+    double passed = 0;       // metres under a ceiling that goes on
+    bool is_in_line = false; // with the edge of a soffit beyond its end
   };
   std::map<Wall, Told> told;
   for (const PlanWarning& warning : warnings) {
@@ -121,7 +121,7 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
     const bool is_off = warning.kind == WarningKind::WallOff;
     of_wall.off += is_off && !values.empty() ? values[0] : 0;
     of_wall.passed += is_off && values.size() > 2 ? values[2] : 0;
-    of_wall.in_line = warning.kind == WarningKind::InLine ? 1 : of_wall.in_line;
+    of_wall.is_in_line |= warning.kind == WarningKind::InLine;
   }
   std::vector<double> errors;
   bool is_any_known = false;
@@ -157,9 +157,9 @@ certaintyOfWalls(const Floorplan& plan, const std::vector<PlanWarning>& warnings
            {std::log(std::max(wall.length(), 0.01)), shares.measured,
             error > 0 ? 1.0 : 0.0, error > 0 ? logError(error, usual) : 0,
             thicknesses[r][e] > 0 ? 1.0 : 0.0, std::min(of_wall.off / shares.area, 1.0),
-            // Below the head of a window it goes on as well.
+            // It also goes on behind windows up to the ceiling, which are right.
             std::min(of_wall.passed / wall.length(), 1.0) * shares.area / area,
-            of_wall.in_line}},
+            of_wall.is_in_line ? 1.0 : 0.0}},
           error));
       if (wall.is_confirmed)
         walls.back().within.fill(1);
