@@ -6,7 +6,7 @@ import random
 from . import furnish, geometry as g, overhead, shapes, walls
 from .build import Unfit
 from .kinds import KINDS
-from .model import Building, Room, points
+from .model import Building, Room
 
 TRIES = 200
 NOISE = 0.01          # metres
