@@ -14,11 +14,10 @@ namespace {
 constexpr double max_hidden = 5;   // metres, between parts of a face, or to a corner
 constexpr std::ptrdiff_t hole = 4; // bins, in the places on a face: they are sparse
 
-/** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
+/** @brief Closes holes of up to 0.2 m and drops parts shorter than `shortest` bins. */
 void
-clean(std::vector<float>& bins)
+clean(std::vector<float>& bins, std::ptrdiff_t shortest = 3)
 {
-  constexpr std::ptrdiff_t shortest = 3;
   for (const bool is_hole : {true, false})
     for (auto first = bins.begin(); first != bins.end();) {
       const bool is_seen = *first > 0;
@@ -209,17 +208,22 @@ LineEvidence::findHeights(StoreyLine& line) const
     levels[static_cast<std::size_t>(std::min(level, count - 1))][i] = 1;
   });
   for (std::vector<float>& level : levels) {
-    clean(level); // also of walls across
+    clean(level, 0); // only holes
     for (std::size_t i = 0; i < level.size(); ++i)
       line.part[i] += level[i] / count;
   }
   // Beside its windows a wall is seen from floor to ceiling.
   const auto reach = static_cast<std::ptrdiff_t>(max_gap / StoreyLine::bin);
   line.height.clear();
-  for (auto at = line.part.begin(); at != line.part.end(); ++at)
+  std::vector<float> along = line.part;
+  for (std::size_t i = 0; i < along.size(); ++i)
+    if (!(line.any[i] > 0)) // of a wall across
+      along[i] = 0;
+  for (auto at = along.begin(); at != along.end(); ++at)
     line.height.push_back(
-        *std::max_element(at - std::min(reach, at - line.part.begin()),
-                          at + std::min(reach + 1, line.part.end() - at)));
+        *std::max_element(at - std::min(reach, at - along.begin()),
+                          at + std::min(reach + 1, along.end() - at)));
+  clean(line.part);
 }
 
 void

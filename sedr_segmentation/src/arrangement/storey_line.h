@@ -34,7 +34,7 @@ struct StoreyLine : FaceCurve {
       seen;                     ///< share explained, by room and bin
   std::vector<float> any;       ///< the most of them
   std::vector<float> part;      ///< share of the height at which a surface lies on it
-  std::vector<float> height;    ///< the most of that near each bin
+  std::vector<float> height;    ///< the most of that near each bin, where `any` is seen
   std::vector<float> tall;      ///< `any` where it reaches up to the ceiling
   std::vector<Between> between; ///< of each bin where it does not reach up
   std::vector<double> edges;    ///< where the surface begins or ends, along the curve
