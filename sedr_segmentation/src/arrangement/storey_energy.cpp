@@ -78,12 +78,9 @@ StoreyCosts::StoreyCosts(const StoreyEvidence& evidence,
   for (std::size_t k = 1; k < labels(); ++k)
     label_of_[evidence.storey.rooms[k - 1]] = static_cast<int>(k);
   addAreas(evidence, arrangement);
-  std::vector<Sides> sides;
-  for (const StoreyLine& line : lines.lines)
-    sides.push_back(sidesOfAir(evidence, line));
   for (const CellBorder& border : borders) {
     const StoreyLine& line = lines.lines[border.line];
-    addFronts(line, sides[border.line], border);
+    addFronts(evidence, line, border);
     of_border_.push_back(costOf(line, border));
   }
 }
@@ -172,42 +169,17 @@ StoreyCosts::sideOfAir(const StoreyEvidence& evidence,
   return to_left == Air::Room ? 1 : -1;
 }
 
-/** @brief Returns sideOfAir() of each room's surface, by bins. Where that is unclear,
- * as in a gap behind a column, the surface that goes on has its air to the same side.
- */
-StoreyCosts::Sides
-StoreyCosts::sidesOfAir(const StoreyEvidence& evidence, const StoreyLine& line) const
-{
-  Sides sides;
-  for (const auto& [room, seen] : line.seen) {
-    std::vector<int>& of_room = sides[room];
-    std::size_t known = 0; // the first bin behind the last one with a clear side
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const Eigen::Vector2d p =
-          line.at(line.from + (static_cast<double>(i) + 0.5) * StoreyLine::bin);
-      const bool is_seen = seen[i] > 0 && line.tall[i] > 0;
-      const int side =
-          is_seen ? sideOfAir(evidence, room, p, leftOf(line.curve.tangentAt(p))) : 0;
-      of_room.push_back(side);
-      if (side != 0 && known > 0 && of_room[known - 1] == side)
-        std::fill(of_room.begin() + static_cast<std::ptrdiff_t>(known), of_room.end(),
-                  side);
-      known = !is_seen ? 0 : side != 0 ? i + 1 : known;
-    }
-  }
-  return sides;
-}
-
 /** @brief Adds what it costs that the cell before a surface is not of the room that saw
  * it, or the cell behind it is. */
 void
-StoreyCosts::addFronts(const StoreyLine& line,
-                       const Sides& sides,
+StoreyCosts::addFronts(const StoreyEvidence& evidence,
+                       const StoreyLine& line,
                        const CellBorder& border)
 {
   const auto pieces =
       static_cast<std::size_t>(std::ceil(border.length() / StoreyLine::bin));
   const Eigen::Vector2d way = border.end - border.start;
+  const Eigen::Vector2d left = leftOf(way.normalized());
   const double length = border.length() / static_cast<double>(pieces);
   for (std::size_t k = 0; k < pieces; ++k) {
     const Eigen::Vector2d p = border.start + way * ((static_cast<double>(k) + 0.5) /
@@ -216,12 +188,13 @@ StoreyCosts::addFronts(const StoreyLine& line,
       continue;
     const auto i =
         static_cast<std::size_t>((line.along(p) - line.from) / StoreyLine::bin);
-    const bool is_along = line.curve.tangentAt(p).dot(way) > 0;
     for (const auto& [room, seen] : line.seen) {
-      const int side = sides.at(room)[i];
+      if (!(seen[i] > 0) || !(line.tall[i] > 0))
+        continue;
+      const int side = sideOfAir(evidence, room, p, left);
       if (side == 0)
         continue;
-      const bool on_left = (side > 0) == is_along;
+      const bool on_left = side > 0;
       const double cost =
           certainty_ * static_cast<double>(seen[i] * line.height[i]) * length;
       CellCost& front = of_cell_[on_left ? border.left : border.right];

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -89,15 +88,14 @@ private:
     std::vector<std::pair<int, double>> of_room;
   };
 
-  using Sides = std::map<std::uint32_t, std::vector<int>>; ///< of air, by room and bin
-
   void addAreas(const StoreyEvidence& evidence, const PlanCells& arrangement);
   int sideOfAir(const StoreyEvidence& evidence,
                 std::uint32_t room,
                 const Eigen::Vector2d& p,
                 const Eigen::Vector2d& left) const;
-  Sides sidesOfAir(const StoreyEvidence& evidence, const StoreyLine& line) const;
-  void addFronts(const StoreyLine& line, const Sides& sides, const CellBorder& border);
+  void addFronts(const StoreyEvidence& evidence,
+                 const StoreyLine& line,
+                 const CellBorder& border);
   BorderCost costOf(const StoreyLine& line, const CellBorder& border) const;
 
   StoreyEnergy energy_;

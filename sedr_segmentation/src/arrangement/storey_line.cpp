@@ -2,9 +2,11 @@
 #include "storey_line.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl::sedr {
@@ -14,10 +16,11 @@ namespace {
 constexpr double max_hidden = 5;   // metres, between parts of a face, or to a corner
 constexpr std::ptrdiff_t hole = 4; // bins, in the places on a face: they are sparse
 
-/** @brief Closes holes of up to 0.2 m and drops parts shorter than `shortest` bins. */
+/** @brief Closes holes of up to 0.2 m and drops parts shorter than 0.15 m. */
 void
-clean(std::vector<float>& bins, std::ptrdiff_t shortest = 3)
+clean(std::vector<float>& bins)
 {
+  constexpr std::ptrdiff_t shortest = 3;
   for (const bool is_hole : {true, false})
     for (auto first = bins.begin(); first != bins.end();) {
       const bool is_seen = *first > 0;
@@ -64,6 +67,17 @@ waysToSurface(const std::vector<float>& tall, bool back)
   return ways;
 }
 
+/** @brief Calls `visit(first, last)` for each value with those up to `reach` beside it.
+ */
+template <typename Value, typename Visitor>
+void
+forWindows(const std::vector<Value>& values, std::ptrdiff_t reach, Visitor visit)
+{
+  for (auto at = values.begin(); at != values.end(); ++at)
+    visit(at - std::min(reach, at - values.begin()),
+          at + std::min(reach + 1, values.end() - at));
+}
+
 } // namespace
 
 double
@@ -107,11 +121,13 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
   const auto near = [](const CellMask& cells) {
     return dilated(cells, 1.5); // cells: also across corners
   };
+  std::vector<Eigen::Vector2d> parts;
   std::vector<Eigen::Vector2d> places;
   for (const std::size_t r : storey.storey.rooms) {
     const RoomCells& room = storey.cells[r];
     wall_rooms_.resize(wall_rooms_.size() + room.wall_points.size(),
                        static_cast<std::uint32_t>(r));
+    parts.insert(parts.end(), room.part_points.begin(), room.part_points.end());
     for (const Eigen::Vector3f& p : room.height_points) {
       places.emplace_back(p.head<2>().cast<double>());
       heights_.push_back(p.z());
@@ -119,6 +135,7 @@ LineEvidence::LineEvidence(const StoreyEvidence& storey, const FacePlaces& faces
     opaque_.push_back(near(unite(subtract(room.solid, room.glass), room.pillar)));
     part_.push_back(near(unite(unite(room.base, room.riser), room.glass)));
   }
+  parts_ = PlanPoints(parts, 2 * StoreyLine::bin);
   height_points_ = PlanPoints(places, 2 * StoreyLine::bin);
 }
 
@@ -199,31 +216,26 @@ LineEvidence::observe(StoreyLine& line) const
 void
 LineEvidence::findHeights(StoreyLine& line) const
 {
-  line.part.assign(line.any.size(), 0);
-  std::array<std::vector<float>, 16> levels; // as many shares of the height
-  levels.fill(line.part);
-  const auto count = static_cast<float>(levels.size());
+  using Levels = std::uint16_t; // a bit for each of as many shares of the height
+  const int count = std::numeric_limits<Levels>::digits;
+  std::vector<Levels> levels(line.any.size(), 0);
   forEachOn(line, height_points_, [&](std::size_t k, std::size_t i, double, double) {
-    const float level = heights_[height_points_.given(k)] * count;
-    levels[static_cast<std::size_t>(std::min(level, count - 1))][i] = 1;
+    const auto level =
+        static_cast<int>(heights_[height_points_.given(k)] * static_cast<float>(count));
+    levels[i] = static_cast<Levels>(levels[i] | 1U << std::min(level, count - 1));
   });
-  for (std::vector<float>& level : levels) {
-    clean(level, 0); // only holes
-    for (std::size_t i = 0; i < level.size(); ++i)
-      line.part[i] += level[i] / count;
-  }
+  std::vector<float> shares;
+  forWindows(levels, hole, [&](auto first, auto last) {
+    const unsigned near = std::accumulate(first, last, 0U, std::bit_or<>());
+    shares.push_back(static_cast<float>(__builtin_popcount(near)) /
+                     static_cast<float>(count));
+  });
   // Beside its windows a wall is seen from floor to ceiling.
   const auto reach = static_cast<std::ptrdiff_t>(max_gap / StoreyLine::bin);
   line.height.clear();
-  std::vector<float> along = line.part;
-  for (std::size_t i = 0; i < along.size(); ++i)
-    if (!(line.any[i] > 0)) // of a wall across
-      along[i] = 0;
-  for (auto at = along.begin(); at != along.end(); ++at)
-    line.height.push_back(
-        *std::max_element(at - std::min(reach, at - along.begin()),
-                          at + std::min(reach + 1, along.end() - at)));
-  clean(line.part);
+  forWindows(shares, reach, [&](auto first, auto last) {
+    line.height.push_back(*std::max_element(first, last));
+  });
 }
 
 void
@@ -272,6 +284,10 @@ LineEvidence::findBetween(StoreyLine& line) const
   const std::vector<double> since = waysToSurface(line.tall, true);
   const std::vector<double> until = waysToSurface(line.tall, false);
   const double support = line.support();
+  line.part.assign(bins, 0);
+  forEachOn(line, parts_,
+            [&](std::size_t, std::size_t i, double, double) { line.part[i] = 1; });
+  clean(line.part);
   line.between.assign(bins, StoreyLine::Between::Beyond);
   for (std::size_t i = 0; i < bins; ++i) {
     const double gap = since[i] + until[i];

@@ -33,9 +33,9 @@ struct StoreyLine : FaceCurve {
   std::map<std::uint32_t, std::vector<float>>
       seen;                     ///< share explained, by room and bin
   std::vector<float> any;       ///< the most of them
-  std::vector<float> part;      ///< share of the height at which a surface lies on it
-  std::vector<float> height;    ///< the most of that near each bin, where `any` is seen
-  std::vector<float> tall;      ///< `any` where it reaches up to the ceiling
+  std::vector<float> height;    ///< share of the height at which it was seen
+  std::vector<float> tall;      ///< the same where it reaches up to the ceiling
+  std::vector<float> part;      ///< 1 where a sill or lintel lies on it
   std::vector<Between> between; ///< of each bin where it does not reach up
   std::vector<double> edges;    ///< where the surface begins or ends, along the curve
 
@@ -92,6 +92,7 @@ private:
   const StoreyEvidence& storey_;
   const FacePlaces& faces_;
   std::vector<std::uint32_t> wall_rooms_; ///< by place as it was given
+  PlanPoints parts_{{}, 1};               ///< RoomCells::part_points of all rooms
   PlanPoints height_points_{{}, 1};       ///< RoomCells::height_points of all rooms
   std::vector<float> heights_;            ///< of them, as they were given
   std::vector<CellMask> opaque_; ///< beside opaque surfaces up to ceilings or beams

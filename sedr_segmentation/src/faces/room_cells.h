@@ -49,6 +49,8 @@ struct RoomCells {
   /** @brief Near what reaches up to a ceiling: x, y, and the height above the floor as
    * a share of the room's. */
   std::vector<Eigen::Vector3f> height_points;
+  /** @brief On surfaces of `riser`, and of `base` where none goes on to the ceiling. */
+  std::vector<Eigen::Vector2d> part_points;
 
   /** @brief Returns whether two rooms share more than half a metre of height. */
   bool sharesHeights(const RoomCells& other) const;

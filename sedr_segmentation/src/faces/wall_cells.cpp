@@ -85,6 +85,9 @@ public:
     takePlaces();
     takeHeights();
     takeLintels();
+    for (const auto& [cell, at] : below_sill_)
+      if (cells_.base.values()[cell] && !cells_.solid.values()[cell])
+        cells_.part_points.push_back(at);
   }
 
 private:
@@ -158,6 +161,8 @@ private:
         heights_.emplace_back(at, Eigen::Vector3f(q.x(), q.y(), height));
       column.above_floor |= std::uint64_t{1}
                             << static_cast<int>(std::min(63.0, above / p_.bin));
+      if (above < p_.sill)
+        below_sill_.emplace_back(at, place);
     }
     const bool is_below_low = isInBand(q.z(), cells_.low[at]);
     const bool is_below_top = isInBand(q.z(), cells_.top[at]);
@@ -263,8 +268,8 @@ private:
   /** @brief Takes the heights of points in and beside cells of surfaces. */
   void takeHeights()
   {
-    const CellMask surfaces = dilated(
-        unite(unite(cells_.solid, cells_.riser), unite(cells_.pillar, cells_.base)), 2);
+    const CellMask surfaces =
+        dilated(unite(unite(cells_.solid, cells_.riser), cells_.pillar), 2);
     for (const auto& [cell, point] : heights_)
       if (surfaces.values()[cell])
         cells_.height_points.push_back(point);
@@ -281,6 +286,7 @@ private:
       if (!cells_.riser.values()[at])
         continue;
       const Eigen::Vector2d place = column.places.hnormalized();
+      cells_.part_points.push_back(place);
       // As good as a wall above a parapet; elsewhere it may be noise of the ceiling.
       if (column.is_short && near_base.values()[at]) {
         cells_.wall_points.insert(cells_.wall_points.end(), p_.filled, place);
@@ -303,7 +309,8 @@ private:
   double uneven_ = 0;            ///< usual depth of the ceiling about a cell
   CellMask below_ceiling_;
   std::vector<WallPlace> places_;
-  std::vector<std::pair<std::size_t, Eigen::Vector3f>> heights_; ///< likewise
+  std::vector<std::pair<std::size_t, Eigen::Vector2d>> below_sill_; ///< points, by cell
+  std::vector<std::pair<std::size_t, Eigen::Vector3f>> heights_;    ///< likewise
 };
 
 } // namespace

@@ -39,33 +39,6 @@ TEST(LabelledPlan, AWallGoesStraightOnBehindShelvesThatStandOffIt)
   expectOutline(points, evidence, truth, 0.004);
 }
 
-TEST(LabelledPlan, AWallGoesOnBehindAKitchenBelowABulkhead)
-{
-  // The wall is seen between the wall cupboards and the counter, and beside both.
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.7);
-  truth.details = {detailOf(rectangle(0.01, 3.46, 6.01, 4.01), 2.35)};
-  RoomPoints points(0.05, 0.003);
-  const auto isOfUnits = [](double x, double y, double front) {
-    return x > 0.6 && x < 4 && y > front;
-  };
-  const RoomParts parts = points.room(
-      truth,
-      [&](const Eigen::Vector3d& p) {
-        return !isOfUnits(p.x(), p.y(), 4) || (p.z() > 0.9 && p.z() < 1.45);
-      },
-      [&](double x, double y) { return !isOfUnits(x, y, 3.65); },
-      [&](double x, double y) { return !isOfUnits(x, y, 3.4); });
-  PlanEvidence evidence = evidenceOf(points, parts);
-  const std::vector<int> fronts =
-      joined(points.wall(segment({0.6, 3.4}, {4, 3.4}), 0, 0.9),
-             points.wall(segment({0.6, 3.65}, {4, 3.65}), 1.45, 2.35));
-  points.slab(rectangle(0.6, 3.4, 4, 4), 0.9);
-  points.slab(rectangle(0.6, 3.65, 4, 4), 1.45);
-  evidence.all = points.all();
-  evidence.walls = joined(evidence.walls, fronts);
-  expectOutline(points, evidence, truth.boundary, 0.004);
-}
-
 TEST(LabelledPlan, ABeamPartsNoRoom)
 {
   for (const double width : {0.02, 0.12, 0.3}) {

@@ -329,21 +329,4 @@ TEST(WallShapes, AColumnBeforeAWallIsOne)
   }
 }
 
-TEST(WallShapes, AColumnBeforeAWallIsOneThoughNoCeilingWasSeenBehindIt)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 8.01, 6.01), 3.5);
-  truth.columns = {reversed(rectangle(3.6, 5.06, 4.4, 5.76))};
-  RoomPoints points(0.05, 0.003);
-  const auto isSeen = [](double x, double y) {
-    return y < 5.76 || x < 3.6 || x > 4.4; // not between column and wall
-  };
-  const RoomParts parts = points.room(
-      truth, [](const Eigen::Vector3d& p) { return std::abs(p.y() - 5.76) > 0.01; },
-      isSeen, isSeen);
-  const PlanRoom room = fitted(points, parts);
-  EXPECT_EQ(room.boundary.elements.size(), 4u);
-  ASSERT_EQ(room.columns.size(), 1u);
-  EXPECT_LT(outlineError(room.columns[0], truth.columns[0]), 0.06);
-}
-
 } // namespace
