@@ -272,10 +272,32 @@ SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) cons
     if (meets[regions.label[k]] >= min_strip &&
         !isTold(tiles_.centre(cellOf(steps[k].first))))
       told.push_back(steps[k]);
-  const Patches found(told, wall_tile, 0);
-  const double area = found.mean * found.area; // of the steps
+  const CellGrid coarse(min_strip); // what is less than a cell apart is one thing
+  const auto cellAt = [&](const CellValue& tile) {
+    const Eigen::Vector2d at = tiles_.centre(cellOf(tile.first));
+    return coarse.at(at.x(), at.y());
+  };
+  std::vector<CellKey> keys;
+  for (const CellValue& tile : told)
+    keys.push_back(keyOf(cellAt(tile)));
+  const CellSet cells(keys);
+  const CellRegions things = labelRegions(cells);
+  std::vector<std::vector<CellValue>> tiles(things.sizes.size());
+  for (const CellValue& tile : told)
+    tiles[things.label[cells.find(cellAt(tile))]].push_back(tile);
+  std::vector<PlanWarning> found; // one a thing; small ones count with the largest
+  double area = 0;
+  for (const std::vector<CellValue>& thing : tiles) {
+    const Patches patch(thing, wall_tile, 0);
+    const double own = patch.mean * patch.area; // of the steps
+    area += own;
+    if (found.empty() || own > min_patch)
+      found.push_back({WarningKind::Standing, {own}, plan.id, 0, {}, patch.middle});
+    else
+      found.front().values[0] += own;
+  }
   if (area > min_patch && area >= told_share * surfacesOf(plan))
-    warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
+    warnings.insert(warnings.end(), found.begin(), found.end());
 }
 
 void

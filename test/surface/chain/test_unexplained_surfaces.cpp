@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace {
 
@@ -161,6 +162,25 @@ TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
       EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.15, 1.2)).norm(), 0, 0.1);
     }
   }
+}
+
+TEST(UnexplainedSurfaces, AreToldEachAtItsPlaceWhereTwoThingsReachUpToTheCeiling)
+{
+  const std::array<Eigen::Vector2f, 2> places{{{0.7F, 0.8F}, {2.8F, 1.7F}}};
+  Cloud cloud = recessedRoom(0);
+  for (const auto& p : places)
+    for (const float y : {0.0F, 0.4F})
+      addRectangle({p.x(), p.y() + y, 0}, {0.6F, 0, 0}, {0, 0, 2.5F}, cloud);
+  const auto found = unexplained(cloud, {{planned(1, 0, 4)}});
+  ASSERT_EQ(found.size(), 2u);
+  for (const PlanWarning& warning : found) {
+    EXPECT_EQ(warning.kind, WarningKind::Standing);
+    EXPECT_NEAR(warning.values[0], 2 * 0.6 * 2.5, 0.6);
+  }
+  for (const auto& p : places)
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& warning) {
+      return (warning.at - p.cast<double>() - Eigen::Vector2d(0.3, 0.2)).norm() < 0.3;
+    })) << p.transpose();
 }
 
 TEST(UnexplainedSurfaces, AreHalfWallsButNoSideboardsAlsoInHalls)
