@@ -8,6 +8,7 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -29,10 +30,14 @@ sentenceOf(const Floorplan& plan, const PlanOpening& opening)
               : ", hinge " + leaf + " into room " + std::to_string(opening.swing));
 }
 
-/** @brief Returns why an opening does not fit its walls, or an empty text. */
-std::string
-misfitOf(const Floorplan& plan, const PlanOpening& opening)
+/** @brief Why an opening does not fit its walls in length and in height, and which
+ * other one it overlaps; empty texts where nothing is wrong. */
+using Misfits = std::array<std::string, 3>;
+
+Misfits
+misfitsOf(const Floorplan& plan, const PlanOpening& opening)
 {
+  Misfits found;
   for (const OpeningWall& in : opening.walls) {
     const PlanRoom& room = *findRoom(plan, in.room);
     const PlanElement& wall = room.boundary.elements[in.element];
@@ -40,24 +45,36 @@ misfitOf(const Floorplan& plan, const PlanOpening& opening)
         "wall " + std::to_string(in.room) + "." + std::to_string(in.element + 1);
     const double middle = wall.project((opening.start + opening.end) / 2);
     const double half = opening.width() / 2;
-    if (middle - half < -exact || middle + half > wall.length() + exact)
-      return name + formatText(" is %.3f m long, the opening would reach from %.3f to "
-                               "%.3f m along it",
-                               wall.length(), middle - half, middle + half);
+    if (found[0].empty() &&
+        (middle - half < -exact || middle + half > wall.length() + exact))
+      found[0] = name + formatText(" is %.3f m long, the opening would reach from %.3f "
+                                   "to %.3f m along it",
+                                   wall.length(), middle - half, middle + half);
     const Eigen::Vector2d place = wall.pointAt(middle) + exact * wall.normalAt(middle);
-    if (opening.bottom < room.floorAt(place) - exact ||
-        opening.top > room.ceilingAt(place) + exact)
-      return name + formatText(" reaches from z %.3f to %.3f m, the opening would from "
-                               "%.3f to %.3f m",
-                               room.floorAt(place), room.ceilingAt(place),
-                               opening.bottom, opening.top);
+    if (found[1].empty() && (opening.bottom < room.floorAt(place) - exact ||
+                             opening.top > room.ceilingAt(place) + exact))
+      found[1] = name + formatText(" reaches from z %.3f to %.3f m, the opening would "
+                                   "from %.3f to %.3f m",
+                                   room.floorAt(place), room.ceilingAt(place),
+                                   opening.bottom, opening.top);
   }
   for (const PlanOpening& other : plan.openings)
-    if (&other != &opening &&
+    if (found[2].empty() && &other != &opening &&
         (isAt(other, opening.start, opening.bottom, opening.top) ||
          isAt(other, opening.end, opening.bottom, opening.top) ||
          isAt(opening, (other.start + other.end) / 2, other.bottom, other.top)))
-      return "it would overlap " + markOf(other);
+      found[2] = "it would overlap " + markOf(other);
+  return found;
+}
+
+/** @brief Returns what does not fit but did before, or an empty text. */
+std::string
+newMisfit(const Floorplan& plan, const PlanOpening& opening, const Misfits& before = {})
+{
+  const Misfits now = misfitsOf(plan, opening);
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (before[k].empty() && !now[k].empty())
+      return now[k];
   return {};
 }
 
@@ -157,7 +174,7 @@ PlanEditor::addOpening(std::uint32_t room,
     plan.openings.push_back(opening);
     numberOpenings(plan);
     if (problem.empty())
-      problem = misfitOf(plan, plan.openings.back());
+      problem = newMisfit(plan, plan.openings.back());
     sentence_ = markOf(plan.openings.back()) + " is added to wall " +
                 std::to_string(room) + "." + std::to_string(wall) + ": a " +
                 sentenceOf(plan, plan.openings.back());
@@ -173,12 +190,12 @@ PlanEditor::setOpening(const std::string& number, const OpeningChange& to)
       if (markOf(opening) != number)
         continue;
       const std::string before = sentenceOf(plan, opening);
-      const bool fits = misfitOf(plan, opening).empty();
+      const Misfits misfits = misfitsOf(plan, opening);
       const std::string problem = change(plan, to, opening);
       numberOpenings(plan);
       sentence_ = number + " was a " + before + "; " + markOf(opening) + " is a " +
                   sentenceOf(plan, opening);
-      return problem.empty() && fits ? misfitOf(plan, opening) : problem;
+      return problem.empty() ? newMisfit(plan, opening, misfits) : problem;
     }
     return lacksOpening(plan, number);
   });

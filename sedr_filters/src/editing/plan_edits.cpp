@@ -84,6 +84,18 @@ beyondWall(const PlanOpening& opening, const PlanElement& wall)
   return most;
 }
 
+/** @brief Returns how far an opening reaches above the ceiling of a room, of which it
+ * is in a wall. */
+double
+aboveCeiling(const PlanOpening& opening, const PlanRoom& room, std::size_t wall)
+{
+  const PlanElement& face = room.boundary.elements[wall];
+  const double s = face.project((opening.start + opening.end) / 2);
+  return std::max(opening.top -
+                      room.ceilingAt(face.pointAt(s) + negligible * face.normalAt(s)),
+                  0.0);
+}
+
 /** @brief The room that a flight is in, and how far the flight reaches out of it. */
 struct FlightRoom {
   std::uint32_t room = 0;
@@ -191,6 +203,17 @@ attachOpenings(const Floorplan& before, Floorplan& plan, double max_wall)
                        formatText(", %.2f m wide, reaches %.2f m beyond wall ",
                                   opening.width(), beyond) +
                        std::to_string(wall.room) + "." + std::to_string(*element + 1));
+      double known_above = 0;
+      for (const OpeningWall& old : was.walls)
+        if (const PlanRoom* const r = findRoom(before, old.room);
+            r && old.room == wall.room && old.element < r->boundary.elements.size())
+          known_above = std::max(known_above, aboveCeiling(was, *r, old.element));
+      const double above = aboveCeiling(opening, *room, *element);
+      if (above > negligible + known_above)
+        told.push_back(what + formatText(", up to z %.2f m, reaches %.2f m above the "
+                                         "ceiling of room %.0f",
+                                         opening.top, above,
+                                         static_cast<double>(wall.room)));
     }
     opening.walls = walls;
     const bool is_between_none =

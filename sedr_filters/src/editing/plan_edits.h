@@ -78,7 +78,8 @@ void renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to);
  * @param before its openings are numbered
  * @param max_wall maximum thickness of a wall between two rooms, metres
  * @return sentences about openings that go, those that reach farther beyond the ends of
- * their walls than before, and those that no wall between their rooms has any more */
+ * their walls or above a ceiling than before, and those that no wall between their
+ * rooms has any more */
 std::vector<std::string>
 attachOpenings(const Floorplan& before, Floorplan& plan, double max_wall);
 

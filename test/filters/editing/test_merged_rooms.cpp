@@ -231,6 +231,26 @@ TEST(PlanEditor, AnOpeningGetsAnotherSizeAboutItsMiddle)
             "an opening is more than 0.05 m wide and high, not 0.05 x 1.2 m");
 }
 
+TEST(PlanEditor, AnOpeningBelowALowerCeilingIsToldAndStillMayNotLeaveItsWall)
+{
+  PlanEditor editor(twoRooms());
+  ASSERT_TRUE(done(editor.setCeiling(2, 2.0), editor));
+  EXPECT_TRUE(editor.getWarnings().empty()) << "as high as the door";
+  ASSERT_TRUE(done(editor.setCeiling(2, 1.8), editor));
+  ASSERT_EQ(editor.getWarnings().size(), 1u);
+  EXPECT_EQ(editor.getWarnings()[0],
+            "D1: the door at (4.10, 1.50), up to z 2.00 m, reaches 0.20 m above the "
+            "ceiling of room 2");
+  ASSERT_TRUE(done(editor.setFloor(1, 0.02), editor));
+  EXPECT_TRUE(editor.getWarnings().empty()) << "told before";
+  OpeningChange change;
+  change.width = 3.2;
+  EXPECT_NE(refusal(editor.setOpening("D1", change), editor).find("is 3.000 m long"),
+            std::string::npos);
+  change.width = 0.9; // no worse than it was
+  EXPECT_TRUE(done(editor.setOpening("D1", change), editor));
+}
+
 TEST(PlanEditor, TheHingesOfADoorAreOnTheHandOfOneWhoPushesItOpen)
 {
   Floorplan plan = twoRooms(); // from room 1 one sees the end of the door to the left
