@@ -3,10 +3,12 @@
 #include "compare/comparison.h"
 #include "plan_file.h"
 #include "run_tool.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 #include "stage_pictures.h"
 #include "tool_error.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -64,6 +66,33 @@ drawChanges(const Floorplan& before,
   return picture;
 }
 
+/** @brief Warns if nearly all walls have moved alike, or most rooms of both plans are
+ * where the other one has none: that is hardly one building in one frame. */
+void
+warnOfFrames(const Floorplan& before,
+             const Floorplan& after,
+             const std::vector<Change>& changes,
+             const CompareSettings& settings)
+{
+  if (const auto shift = commonShift(before, changes, settings))
+    warn("walls have moved as if all of the second model were shifted by (" +
+         pcl::sedr::decimalText(shift->x(), 2) + ", " +
+         pcl::sedr::decimalText(shift->y(), 2) + ") m: is it in the same frame?");
+  const auto roomsThat = [&](ChangeKind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(changes.begin(), changes.end(), [kind](const Change& change) {
+          return change.kind == kind && change.what == "room";
+        }));
+  };
+  const std::size_t vanished = roomsThat(ChangeKind::Vanished);
+  const std::size_t appeared = roomsThat(ChangeKind::Appeared);
+  if (2 * vanished > before.rooms.size() && 2 * appeared > after.rooms.size())
+    warn(std::to_string(vanished) + " of " + counted(before.rooms.size(), "room") +
+         " have vanished, and of " + counted(after.rooms.size(), "room") + " after " +
+         std::to_string(appeared) +
+         " were not there: are both models of one building, in one frame?");
+}
+
 /** @brief The options of the command line. */
 struct Settings {
   std::string before;
@@ -98,6 +127,7 @@ run(const Settings& settings)
   const Floorplan after =
       moved(second.plan, 0, second.origin.place - first.origin.place);
   const auto changes = comparePlans(before, after, settings.compare);
+  warnOfFrames(before, after, changes, settings.compare);
   for (const auto& change : changes)
     std::cout << describe(change) << '\n';
   if (changes.empty())

@@ -49,6 +49,26 @@ TEST_F(CompareTool, CountsBothModelsFromOneOrigin)
       "nothing has changed by more than 0.05 m; widths of openings are not compared\n");
 }
 
+TEST_F(CompareTool, WarnsOfAModelInAnotherFrameButNotOfWallsThatMoved)
+{
+  const std::string before = plan("a.json", twoRooms());
+  const auto toldOf = [&](const Floorplan& after) {
+    return done(run(STRUCTURE_COMPARE, {before, plan("b.json", after)})).err;
+  };
+  for (const Eigen::Vector3d& by :
+       {Eigen::Vector3d(0.3, -0.2, 0), Eigen::Vector3d(0.3, 0, 0)}) {
+    const std::string text = toldOf(pcl::sedr::moved(twoRooms(), 0, by));
+    EXPECT_NE(text.find(by.y() < 0 ? "shifted by (0.30, -0.20) m" : "(0.30, 0.00) m"),
+              std::string::npos)
+        << text;
+  }
+  EXPECT_NE(toldOf(pcl::sedr::moved(twoRooms(), 0, {20, 0, 0}))
+                .find("2 of 2 rooms have vanished, and of 2 rooms after 2 were not"),
+            std::string::npos);
+  EXPECT_EQ(toldOf(twoRooms(5.3)), "") << "a partition that moved";
+  EXPECT_EQ(toldOf(twoRooms()), "");
+}
+
 TEST_F(CompareTool, RefusesWhatIsNoModel)
 {
   const std::string good = plan("a.json", twoRooms());

@@ -4,6 +4,7 @@
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_geometry.h"
 
+#include <Eigen/Cholesky>
 #include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
 
@@ -238,6 +239,41 @@ describe(const Change& change)
   if (!change.before.empty() && !change.after.empty())
     text += " -> ";
   return text + boost::join(change.after, ", ");
+}
+
+std::optional<Eigen::Vector2d>
+commonShift(const Floorplan& before,
+            const std::vector<Change>& changes,
+            const CompareSettings& settings)
+{
+  Eigen::Matrix2d normals = 1e-9 * Eigen::Matrix2d::Identity();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  std::vector<Eigen::Vector2d> shifts; // of each wall that moved
+  for (const Change& change : changes) {
+    const Eigen::Vector2d by = change.shift.head<2>();
+    if (change.kind != ChangeKind::Moved || !change.is_length || by.norm() == 0)
+      continue;
+    const Eigen::Vector2d n = by.normalized();
+    normals += change.size * n * n.transpose();
+    sum += change.size * by;
+    shifts.insert(shifts.end(), change.before.size(), by);
+  }
+  const Eigen::Vector2d shift = normals.ldlt().solve(sum);
+  const auto explained =
+      std::count_if(shifts.begin(), shifts.end(), [&](const Eigen::Vector2d& by) {
+        return std::abs(shift.dot(by.normalized()) - by.norm()) < settings.tolerance;
+      });
+  std::ptrdiff_t would_move = 0;
+  for (const PlanRoom& room : before.rooms)
+    for (const PlanElement& wall : room.boundary.elements)
+      would_move += !wall.isArc() && wall.length() > settings.minimum_length &&
+                            std::abs(shift.dot(wall.normalAt(0))) > settings.tolerance
+                        ? 1
+                        : 0;
+  const std::ptrdiff_t most = would_move - would_move / 5; // others changed as well
+  if (would_move == 0 || explained < most)
+    return {};
+  return shift;
 }
 
 std::string

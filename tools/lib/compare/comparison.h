@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,12 @@ struct CompareSettings {
 std::vector<Change> comparePlans(const Floorplan& before,
                                  const Floorplan& after,
                                  const CompareSettings& settings);
+
+/** @brief Returns the shift in plan that explains why walls have moved, if nearly all
+ * that it would move have and by as much: then the frames of the plans differ. */
+std::optional<Eigen::Vector2d> commonShift(const Floorplan& before,
+                                           const std::vector<Change>& changes,
+                                           const CompareSettings& settings);
 
 /** @brief Describes a change in a line: "moved partition by 0.30 m (x +0.30, y +0.00),
  * 3.0 m: room_1_wall_3, room_2_wall_1 -> room_1_wall_3, room_2_wall_1"; an opening as
