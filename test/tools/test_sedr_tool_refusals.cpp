@@ -15,7 +15,9 @@ TEST_F(SedrTool, RefusesPriorsThatAreNone)
   const std::string scan = scanOf().pcd(false);
   expectFailure(onFile(scan, {"--prior", "max_wal=1"}), 1, "there is no prior max_wal");
   expectFailure(onFile(scan, {"--prior", "max_wall"}), 1, "name=value");
+  expectFailure(onFile(scan, {"--prior", "max_wall=wide"}), 1, "a number, as in");
   expectFailure(onFile(scan, {"--prior", "max_wall=20"}), 1, "from 0.1 to 3 m");
+  expectFailure(onFile(scan, {"--origin", "1,2"}), 1, "--origin takes x,y,z");
 }
 
 TEST_F(SedrTool, FoldersThatCannotBeWrittenAreRefusedBeforeTheWork)
@@ -76,6 +78,12 @@ TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
                   p.z *= 1000;
                 })),
                 2, "millimetre");
+  expectFailure(onFile(changed([](auto& p) {
+                  p.x /= 0.0254f;
+                  p.y /= 0.0254f;
+                  p.z /= 0.0254f;
+                })),
+                2, "0.0254");
   expectFailure(onFile(changed([](auto& p) {
                   p.x *= 0.1f;
                   p.y *= 0.1f;

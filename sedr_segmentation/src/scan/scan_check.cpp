@@ -63,9 +63,9 @@ scanProblem(const PointView& points,
                                std::min(x, y) < priors.max_building_extent;
     const char* const scale = is_centimetre ? "0.01" : "0.001";
     return formatText("the scan is %.0f x %.0f x %.0f m large: if its unit is the %s, "
-                      "scale it by %s (--unit %s in pcl_sedr)",
+                      "scale it by %s (--unit %s in pcl_sedr)%s",
                       x, y, z, is_centimetre ? "centimetre" : "millimetre", scale,
-                      scale);
+                      scale, is_centimetre ? ", if it is the inch, by 0.0254" : "");
   }
   if (std::max(x, y) < 1 || std::max({x, y, z}) < 1.5)
     return formatText(

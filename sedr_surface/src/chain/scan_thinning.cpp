@@ -21,11 +21,13 @@ viewOf(const std::vector<Eigen::Vector3f>& points)
   return {points.data(), sizeof(Eigen::Vector3f), points.size()};
 }
 
-/** @brief Returns why voxels are too large for the grid, a sentence; empty if they are
- * not. */
+/** @brief Returns why voxels have no size or are too large for the grid, a sentence;
+ * empty if neither. */
 std::string
 voxelProblem(double voxel_size, double grid_size)
 {
+  if (!(voxel_size > 0))
+    return "the voxel size must be above 0 m, it is " + numberText(voxel_size);
   if (voxel_size <= 1.001 * grid_size)
     return {};
   return "the voxel size " + numberText(voxel_size) +

@@ -72,6 +72,18 @@ TEST(StageCallback, FollowsTheRunFromThinningOnAndEndsIt)
   }
 }
 
+TEST(InputSource, VoxelsWithoutASizeAreRefusedNamingThem)
+{
+  Reconstruction reconstruction;
+  reconstruction.setInputCloud(scannedRoom());
+  for (const float size : {0.0F, -0.05F}) {
+    reconstruction.setVoxelSize(size);
+    EXPECT_FALSE(reconstruction.findStructure());
+    EXPECT_TRUE(
+        says(reconstruction.getErrorMessage(), "the voxel size must be above 0 m"));
+  }
+}
+
 TEST(InputSource, OfAnotherUnitIsRefusedWithTheSentenceOfTheCloudThatNamesIt)
 {
   for (const auto& [scale, words] : {std::pair(1000.F, "millimetre"),

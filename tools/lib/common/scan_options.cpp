@@ -64,8 +64,11 @@ ScanOptions::resolved() const
   Origin given;
   if (origin.empty())
     return all;
-  all.origin = Origin::fromText(origin, given) ? std::make_optional(given)
-                                               : statedOrigin(origin);
+  std::error_code error;
+  if (Origin::fromText(origin, given))
+    all.origin = given;
+  else if (std::filesystem::exists(origin, error))
+    all.origin = statedOrigin(origin);
   if (!all.origin)
     throw ToolError("'" + origin +
                     "' states no origin: --origin takes x,y,z, or a "
