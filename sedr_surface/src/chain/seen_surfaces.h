@@ -35,6 +35,17 @@ constexpr double min_strip = 0.5;  ///< of what is told, metres of tiles
 
 /** @brief A bit a step of height; 12.8 m in steps of a tile, rooms have up to 12 m. */
 using HeightSteps = std::bitset<128>;
+
+/** @brief Returns the bit of a height in steps, none beyond all of them. */
+inline HeightSteps
+stepAt(double height, double step)
+{
+  HeightSteps bit;
+  if (height > 0 && height < static_cast<double>(bit.size()) * step)
+    bit.set(static_cast<std::size_t>(height / step));
+  return bit;
+}
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double sigmas = 3; ///< of noise, off a surface
 
@@ -116,7 +127,8 @@ private:
    * their tiles something was seen that leads up, as between joists. */
   void tellCeilingGaps(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
-  /** @brief Warns of what was seen off all surfaces and meets the ceiling. */
+  /** @brief Warns of what was seen off all surfaces and meets the ceiling, once for
+   * each thing. */
   void tellOff(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   /** @brief Warns of what stands free, is a metre long, ends below the ceiling, and has
@@ -183,7 +195,8 @@ void tellOffWalls(const Floorplan& plan,
  * up 2 %. Openings and their reveals do not count. What lies off all surfaces and meets
  * the ceiling over half a metre, such as ribs, pilasters and curtains, if it makes up 1
  * %; lower parts of ceilings that end before their wall; and those that may hang there,
- * as no side up to the rest was seen: one warning a room for each.
+ * as no side up to the rest was seen: one warning a room for each; of what meets the
+ * ceiling one for each thing.
  *
  * O(points + columns of the building + cells of the maps).
  * @param points thinned
