@@ -112,40 +112,13 @@ TEST_F(RoomSegmentationTool, ABuildingReadsBackWithLinksAndDoubtsAndNothingElseD
   ASSERT_EQ(read.doubts.size(), 1u);
   EXPECT_EQ(read.doubts[0].rooms, building.doubts[0].rooms);
   EXPECT_EQ(pcl::sedr::tools::buildingToJson(read), text);
-  for (const char* other : {"", "{}", "[1]", R"({"format": "sedr-planes"})"}) {
+  for (const char* other : {"", "{}", "[1]", R"({"format": "sedr-planes"})",
+                            R"({"format": "sedr-building", "version": 5})"}) {
     writeFile(in("building.json"), other);
     EXPECT_THROW(loadBuilding(in("building.json")), pcl::sedr::tools::ToolError)
         << other;
   }
   EXPECT_THROW(loadBuilding(in("missing.json")), pcl::sedr::tools::ToolError);
-}
-
-TEST_F(RoomSegmentationTool, ABuildingOfTheVersionBeforeReadsWithoutDoubts)
-{
-  pcl::sedr::Building building;
-  building.links = {{{1, 2}, {4.1, 1}, {4.1, 1.2}, 0.01, 2.05}};
-  nlohmann::json json =
-      nlohmann::json::parse(pcl::sedr::tools::buildingToJson(building));
-  json.erase("doubts");
-  for (const int version : {4, 5, 7}) {
-    json["version"] = version;
-    writeFile(in("building.json"), json.dump());
-    if (version == 5) {
-      const pcl::sedr::Building read = loadBuilding(in("building.json"));
-      EXPECT_EQ(read.links.size(), 1u);
-      EXPECT_TRUE(read.doubts.empty());
-      continue;
-    }
-    try {
-      loadBuilding(in("building.json"));
-      ADD_FAILURE() << version;
-    }
-    catch (const pcl::sedr::tools::ToolError& error) {
-      EXPECT_EQ(error.what(),
-                "'" + in("building.json") + "' is no building: its version is " +
-                    std::to_string(version) + ", and versions 5 to 6 are read");
-    }
-  }
 }
 
 TEST_F(RoomSegmentationTool, ABuildingHasTheGapsOfItsRoomsInRuns)

@@ -15,7 +15,7 @@ TEST_F(SedrTool, RefusesPriorsThatAreNone)
   const std::string scan = scanOf().pcd(false);
   expectFailure(onFile(scan, {"--prior", "max_wal=1"}), 1, "there is no prior max_wal");
   expectFailure(onFile(scan, {"--prior", "max_wall"}), 1, "name=value");
-  expectFailure(onFile(scan, {"--prior", "max_wall=wide"}), 1, "a number, as in");
+  expectFailure(onFile(scan, {"--prior", "max_wall=wide"}), 1, "its value a number");
   expectFailure(onFile(scan, {"--prior", "max_wall=20"}), 1, "from 0.1 to 3 m");
   expectFailure(onFile(scan, {"--origin", "1,2"}), 1, "--origin takes x,y,z");
 }

@@ -275,17 +275,19 @@ SeenSurfaces::tellOff(std::size_t room, std::vector<PlanWarning>& warnings) cons
   std::vector<std::vector<CellValue>> tiles(things.sizes.size());
   for (const CellValue& tile : told)
     tiles[things.label[cells.find(cellAt(tile))]].push_back(tile);
-  std::vector<PlanWarning> found; // one a thing; small ones count with the first
+  std::vector<PlanWarning> found; // one a thing; small ones count with the largest
   double area = 0;
   for (const std::vector<CellValue>& thing : tiles) {
     const Patches patch(thing, wall_tile, 0);
     const double own = patch.mean * patch.area; // of the steps
     area += own;
-    if (found.empty() || own > min_patch)
-      found.push_back({WarningKind::Standing, {own}, plan.id, 0, {}, patch.middle});
-    else
-      found.front().values[0] += own;
+    found.push_back({WarningKind::Standing, {own}, plan.id, 0, {}, patch.middle});
   }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.values[0] > b.values[0];
+  });
+  for (; found.size() > 1 && found.back().values[0] <= min_patch; found.pop_back())
+    found.front().values[0] += found.back().values[0];
   if (area > min_patch && area >= told_share * surfacesOf(plan))
     warnings.insert(warnings.end(), found.begin(), found.end());
 }

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/plan_opening.h>
 
 #include <gtest/gtest.h>
 

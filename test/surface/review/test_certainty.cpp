@@ -41,6 +41,19 @@ TEST(Certainty, OfAWallBehindWhichItsCeilingGoesOnIsLittle)
   EXPECT_GT(of({10, -38}).right(), 0.5) << "as much is seen behind it";
   EXPECT_LT(of({10, -38, 4}).right(), 0.5);
   EXPECT_NEAR(*(of({2.5, -38, 1}).signs.rbegin() + 1), 0.25, 1e-9) << "of its length";
+  Floorplan plan = measuredRoom(); // a window of 3 x 2.5 m in the wall of 4 m
+  plan.rooms[0].boundary.elements[2].evidence = {0.25, 0, 0.75};
+  PlanOpening& window = plan.openings[0];
+  window.walls = {{1, 2}};
+  window.start = {3.5, 3};
+  window.end = {0.5, 3};
+  window.bottom = 0;
+  window.top = 2.5;
+  EXPECT_NEAR(*(certaintyOfWalls(plan, {{WarningKind::WallOff, {10, -38, 4}, 1, 3}})[2]
+                    .signs.rbegin() +
+                1),
+              0.25, 1e-9)
+      << "of what is no opening";
 }
 
 TEST(Certainty, FallsWithEachThingThatSpeaksAgainstAWall)

@@ -24,11 +24,9 @@ readPriors(const std::string& list)
     const std::string number = one.substr(std::min(equals + 1, one.size()));
     char* end = nullptr;
     const double value = std::strtod(number.c_str(), &end);
-    if (!number.empty() && (*end != '\0' || !std::isfinite(value)))
-      throw ToolError("the value of a prior is a number, as in name=value, not '" +
-                      number + "'");
-    if (number.empty())
-      throw ToolError("a prior is given as name=value, not '" + one + "'");
+    if (number.empty() || *end != '\0' || !std::isfinite(value))
+      throw ToolError("a prior is given as name=value, its value a number, not '" +
+                      one + "'");
     const std::string problem = setPrior(one.substr(0, equals), value, priors);
     if (!problem.empty())
       throw ToolError(problem + "; doc/priors.md lists all");

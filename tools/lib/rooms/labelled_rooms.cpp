@@ -187,7 +187,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "sedr-building";
 constexpr int format_version = 6;
-constexpr int oldest_version = 5; ///< without doubts
 
 /** @brief Returns the gaps of a room: runs along x of equal ones. Each is x and y of
  * its first cell, its number of cells, the heights of floor and ceiling, to a tenth of
@@ -255,10 +254,9 @@ loadBuilding(const std::string& path)
     if (json.value("format", "") != format_name)
       throw ToolError("its format is not " + std::string(format_name));
     const int version = json.value("version", 0);
-    if (version < oldest_version || version > format_version)
-      throw ToolError("its version is " + std::to_string(version) + ", and versions " +
-                      std::to_string(oldest_version) + " to " +
-                      std::to_string(format_version) + " are read");
+    if (version != format_version)
+      throw ToolError("its version is " + std::to_string(version) + ", version " +
+                      std::to_string(format_version) + " is read");
     Building building;
     for (const Json& of_room : json.at("rooms")) {
       BuildingRoom& room = building.rooms.emplace_back();
@@ -269,7 +267,7 @@ loadBuilding(const std::string& path)
     json.at("storeys").get_to(building.storeys);
     json.at("links").get_to(building.links);
     json.at("stairs").get_to(building.stairs);
-    PartFields(json).optional("doubts", building.doubts);
+    json.at("doubts").get_to(building.doubts);
     return building;
   }
   catch (const std::exception& error) {
